@@ -134,6 +134,34 @@ PolygonMesh fan(unsigned faces) {
   return out.done();
 }
 
+/// Triangles round one vertex whose angles add up to more than a full turn.
+PolygonMesh ruffle(unsigned faces) {
+  Maker out;
+  const std::uint32_t hub = out.vertex(0, 0, 0);
+  std::vector<std::uint32_t> rim;
+  for (unsigned i = 0; i < faces; ++i) {
+    const double a = kTurn * i / faces;
+    rim.push_back(out.vertex(std::cos(a), std::sin(a), 0.8 * std::sin(8 * a)));
+  }
+  for (unsigned i = 0; i < faces; ++i) out.face({hub, rim[i], rim[(i + 1) % faces]});
+  return out.done();
+}
+
+/// The same with a rim that goes up and down at random: cut into very many charts.
+PolygonMesh tatters(unsigned faces) {
+  std::mt19937 random(1);
+  const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  Maker out;
+  const std::uint32_t hub = out.vertex(0, 0, 0.3);
+  std::vector<std::uint32_t> rim;
+  for (unsigned i = 0; i < faces; ++i) {
+    const double a = kTurn * i / faces, r = 0.5 + unit();
+    rim.push_back(out.vertex(r * std::cos(a), r * std::sin(a), unit()));
+  }
+  for (unsigned i = 0; i < faces; ++i) out.face({hub, rim[i], rim[(i + 1) % faces]});
+  return out.done();
+}
+
 /// One face, every second corner of it reflex.
 PolygonMesh star(unsigned faces) {
   const unsigned corners = 2 * (faces / 2 + 1);
@@ -276,10 +304,11 @@ PolygonMesh copies(unsigned faces) {
 
 const std::vector<Family>& families() {
   static const std::vector<Family> all = {
-      {"sphere", sphere}, {"city", city},       {"comb", comb},       {"soup", soup},
-      {"fan", fan},       {"star", star},       {"shuttle", shuttle}, {"parts", parts},
-      {"holes", holes},   {"handles", handles}, {"pages", pages},     {"bouquet", bouquet},
-      {"urchin", urchin}, {"cluster", cluster}, {"copies", copies}};
+      {"sphere", sphere},  {"city", city},       {"comb", comb},       {"soup", soup},
+      {"fan", fan},        {"star", star},       {"shuttle", shuttle}, {"parts", parts},
+      {"holes", holes},    {"handles", handles}, {"pages", pages},     {"bouquet", bouquet},
+      {"urchin", urchin},  {"cluster", cluster}, {"copies", copies},   {"ruffle", ruffle},
+      {"tatters", tatters}};
   return all;
 }
 

@@ -23,6 +23,17 @@ function detached(array) {
   return array;
 }
 
+function documentOfGrid() {
+  const { positions, indices } = grid(2);
+  const document = emptyDocument();
+  const primitive = document
+    .createPrimitive()
+    .setAttribute('POSITION', accessor(document, 'VEC3', Float32Array.from(positions)))
+    .setIndices(accessor(document, 'SCALAR', Uint16Array.from(indices)));
+  addMesh(document, 'grid', primitive);
+  return document;
+}
+
 function cyclic() {
   const value = {};
   value.self = value;
@@ -91,6 +102,108 @@ test('an array that was transferred is refused by its name', async () => {
   await fails(abflat.unwrap(grid(2), { known }), 'InvalidMesh', /known\.unpacked has lost/);
 });
 
+/** Makes `get` a getter of the object. */
+const withGetter = (object, name, get) =>
+  Object.defineProperty(object, name, { get, enumerable: true });
+
+test('a getter that transfers an array away leaves a mesh that is refused', async () => {
+  const names = ['positions', 'indices', 'texcoords', 'materials'];
+  const make = () => ({
+    ...grid(2),
+    texcoords: new Float64Array(18),
+    materials: new Uint32Array(8),
+  });
+  const takes = (array, value) => () => {
+    if (array.byteLength > 0) detached(array);
+    return value;
+  };
+  for (const taken of names)
+    for (const name of names.filter((other) => other !== taken)) {
+      const [mesh, other] = [make(), make()];
+      const values = mesh[name];
+      withGetter(mesh, name, takes(mesh[taken], values));
+      other[name] = withGetter(Array.from(values), 0, takes(other[taken], values[0]));
+      await fails(abflat.unwrap(mesh), 'InvalidMesh', /lost its memory/);
+      await fails(abflat.unwrap(other), 'InvalidMesh', /lost its memory|elements, not/);
+    }
+  const mesh = make();
+  const options = withGetter({ transfer: true }, 'padding', takes(mesh.positions, 2));
+  await fails(abflat.unwrap(mesh, options), 'InvalidMesh', /lost its memory/);
+});
+
+/** All options, as the refusal of an unknown one lists them, and what else callers' objects have. */
+async function fieldNames() {
+  const refusals = [
+    createAbflat({ nothing: 1 }),
+    ...['flatten', 'unwrap', 'compare', 'inspect'].map((method) =>
+      abflat[method](grid(2), { nothing: 1 }),
+    ),
+    abflat.sample('head', { nothing: 1 }),
+  ];
+  const listed = await Promise.all(
+    refusals.map((refusal) =>
+      refusal.catch(({ message }) => /options are (.*)\.$/.exec(message)[1].split(', ')),
+    ),
+  );
+  const ofMeshes = ['positions', 'indices', 'texcoords', 'materials', 'bytes', 'name'];
+  const ofHelpers = ['attribute', 'texcoord', 'overwrite', 'groupBy', 'onAtlas'];
+  return new Set([...listed.flat(), ...ofMeshes, ...ofHelpers, 'vertex', 'uv', 'face', 'report']);
+}
+
+/** What calls with few options return. */
+async function usualResults() {
+  const first = await abflat.unwrap(grid(2), { resolution: 64 });
+  const pins = [0, 8].map((vertex) => ({ vertex, uv: [vertex, vertex] }));
+  const { positions, indices } = grid(2);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3));
+  geometry.setIndex(new BufferAttribute(indices, 1));
+  const layouts = [
+    first,
+    await abflat.unwrap(grid(2), { known: first, keepsPlaces: true }),
+    await abflat.flatten(grid(2), { pins, bounds: [{ vertex: 0, t: 1 }] }),
+    await abflat.flatten(grid(2), { straight: [{ from: 0, to: 2 }] }),
+    { ...(await abflat.sample('hemisphere')), uv: [] },
+    (await unwrapGeometry(abflat, geometry)).result,
+    await abflat.flatten({ bytes: bytesOf(objText(grid(2))) }),
+  ];
+  const document = documentOfGrid();
+  await document.transform(unwrapTransform(abflat));
+  const [made] = document.getRoot().listMeshes()[0].listPrimitives();
+  return [
+    ...layouts.map(({ uv, indices }) => [...uv, ...indices]),
+    [...made.getAttribute('TEXCOORD_0').getArray()],
+  ];
+}
+
+test('what every object inherits is no option and no array of a mesh', async () => {
+  const expected = await usualResults();
+  const names = await fieldNames();
+  for (const name of names) Object.prototype[name] = 5;
+  const ended = usualResults().finally(() => {
+    for (const name of names) delete Object.prototype[name];
+  });
+  assert.deepEqual(await ended, expected);
+  for (const name of ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'workerUrl'])
+    Object.prototype[name] = 5;
+  const started = createAbflat().finally(() => {
+    for (const name of names) delete Object.prototype[name];
+  });
+  (await started).terminate();
+});
+
+test('a mesh may be an object of a class', async () => {
+  class Grid {
+    get positions() {
+      return grid(2).positions;
+    }
+    get indices() {
+      return grid(2).indices;
+    }
+  }
+  assert.deepEqual((await abflat.unwrap(new Grid())).uv, (await abflat.unwrap(grid(2))).uv);
+});
+
 test('a buffer that became smaller than its array is refused', async (context) => {
   if (!ArrayBuffer.prototype.resize) return context.skip('buffers cannot be resized here');
   const buffer = new ArrayBuffer(96, { maxByteLength: 96 });
@@ -122,6 +235,34 @@ test('pins that are no array are refused beside normalize as well', async () => 
       'InvalidOption',
       /pins must be an array/,
     );
+});
+
+test('the rejection of a listener becomes that of its call', async () => {
+  const mine = new Error('of the listener');
+  const isMine = (error) => error === mine;
+  for (const listener of [
+    async () => {
+      throw mine;
+    },
+    () => Promise.reject(mine),
+    // biome-ignore lint/suspicious/noThenProperty: a promise of another library
+    () => ({ then: (_, reject) => reject(mine) }),
+  ]) {
+    const options = { onProgress: listener };
+    for (const method of ['unwrap', 'flatten', 'compare'])
+      await assert.rejects(abflat[method](grid(2), options), isMine, method);
+    for (const given of [options, { onAtlas: listener }])
+      await assert.rejects(documentOfGrid().transform(unwrapTransform(abflat, given)), isMine);
+  }
+  // Too late for a call that has its result.
+  let reject;
+  const late = new Promise((_, refuse) => {
+    reject = refuse;
+  });
+  const result = await abflat.unwrap(grid(2), { onProgress: () => late });
+  reject(mine);
+  await new Promise((resolve) => setImmediate(resolve));
+  assert.deepEqual((await abflat.unwrap(grid(2))).uv, result.uv);
 });
 
 test('samples have a detail from 1 to 1000', async () => {

@@ -3,6 +3,7 @@
 
 import { buildOf } from './base/build-of.js';
 import { AbflatError } from './base/errors.js';
+import { ownFields } from './messages/fields.js';
 import type { Answer, AnyProgress, FromWorker, Request } from './messages/protocol.js';
 import type { Address, Platform, WorkerHandle } from './platform.js';
 import type { AbortSignalLike } from './types/index.js';
@@ -19,13 +20,13 @@ export interface CallSettings {
   transfer?: ArrayBuffer[];
   signal?: AbortSignalLike;
   /** A method, for its looser type check: the caller knows which progress its request reports. */
-  onProgress?(progress: AnyProgress): void;
+  onProgress?(progress: AnyProgress): unknown;
 }
 
 interface Call {
   request: Request;
   transfer: ArrayBuffer[];
-  onProgress?: (progress: AnyProgress) => void;
+  onProgress?: (progress: AnyProgress) => unknown;
   resolve(answer: Answer): void;
   reject(error: unknown): void;
 }
@@ -51,7 +52,7 @@ export class Client {
 
   /** The caller knows the type of the answer to its request. */
   call<T extends Answer>(request: Request, settings: CallSettings = {}): Promise<T> {
-    const { transfer = [], signal, onProgress } = settings;
+    const { transfer = [], signal, onProgress } = ownFields(settings);
     return new Promise<Answer>((resolve, reject) => {
       const cancel = () => this.#cancel(call, signal?.reason);
       const settled =
@@ -127,13 +128,17 @@ export class Client {
     });
   }
 
-  /** If the listener throws, its call rejects with what it threw. */
+  /**
+   * If the listener throws, or the promise that it returns rejects, its call rejects with that.
+   */
   #report(progress: AnyProgress): void {
     const call = this.#running;
+    if (!call) return;
+    const cancel = (error: unknown) => this.#cancel(call, error);
     try {
-      call?.onProgress?.(progress);
+      Promise.resolve(call.onProgress?.(progress)).catch(cancel);
     } catch (error) {
-      if (call) this.#cancel(call, error);
+      cancel(error);
     }
   }
 

@@ -4,6 +4,7 @@ import { AbflatError, messageOf } from './base/errors.js';
 import { STATUS_NAMES } from './base/generated.js';
 import { MAX_MEMORY } from './base/memory.js';
 import { Client } from './client.js';
+import { ownFields } from './messages/fields.js';
 import { takeArrays, takeFile, takeMesh } from './messages/input.js';
 import type { Description, LayoutRequest, Request } from './messages/protocol.js';
 import {
@@ -13,7 +14,6 @@ import {
   checkBoolean,
   checkBuild,
   checkFunction,
-  checkKeys,
   checkMaxMemory,
   checkNumber,
   checkSignal,
@@ -23,6 +23,7 @@ import {
   KEYS,
   keptFaces,
   knownArrays,
+  knownOptions,
   pinNumbers,
   pinnedVertices,
   seamVertices,
@@ -52,14 +53,14 @@ import type {
 import { wasmName } from './wasm-file.js';
 
 /** Loads the module, starts a worker and waits until it answers. */
-export async function connect(platform: Platform, options: CreateOptions = {}): Promise<Abflat> {
-  checkKeys(options, KEYS.create);
+export async function connect(platform: Platform, given: CreateOptions = {}): Promise<Abflat> {
+  const options = knownOptions(given, KEYS.create);
   const { maxMemory = MAX_MEMORY, baseUrl, workerUrl } = options;
   checkMaxMemory(maxMemory);
   for (const name of ['baseUrl', 'wasmUrl', 'workerUrl'] as const)
     checkAddress(name, options[name]);
   const start = (wanted: Pick<CreateOptions, 'build' | 'wasmUrl'>) =>
-    startClient(platform, { baseUrl, workerUrl, ...wanted, maxMemory });
+    startClient(platform, ownFields({ baseUrl, workerUrl, ...wanted, maxMemory }));
   // Whatever kept threads from starting, the next build either runs or says what is wrong.
   const { client, build } = await (isFree(options)
     ? start({ build: 'threads' }).catch(() => start({ build: 'simd' }))
@@ -136,8 +137,8 @@ function checkThreads(): void {
     throw new AbflatError('InvalidOption', `The threads build cannot run here: ${reason}.`);
 }
 
-function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Promise<FlattenResult> {
-  checkKeys(options, KEYS.flatten);
+function flatten(client: Client, mesh: MeshInput, given: FlattenOptions): Promise<FlattenResult> {
+  const options = knownOptions(given, KEYS.flatten);
   const { normalize, pins } = options;
   checkBoolean('normalize', normalize);
   if (normalize && pinNumbers(pins).length > 0)
@@ -152,8 +153,8 @@ function flatten(client: Client, mesh: MeshInput, options: FlattenOptions): Prom
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
 }
 
-function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promise<UnwrapResult> {
-  checkKeys(options, KEYS.unwrap);
+function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<UnwrapResult> {
+  const options = knownOptions(given, KEYS.unwrap);
   const { seams } = options;
   if (seams !== undefined) checkString('seams', seams);
   const { keepsPlaces = false } = options;
@@ -211,8 +212,7 @@ function layout<T extends FlattenResult | UnwrapResult>(
 }
 
 function compare(client: Client, mesh: MeshInput, options: CompareOptions): Promise<Comparison> {
-  checkKeys(options, KEYS.compare);
-  const { transfer, signal, onProgress } = options;
+  const { transfer, signal, onProgress } = knownOptions(options, KEYS.compare);
   checkFunction('onProgress', onProgress);
   checkSignal(signal);
   client.checkUsable(signal);
@@ -250,16 +250,15 @@ function load(client: Client, file: MeshFile, options: CallOptions): Promise<Loa
   return client.call<LoadedMesh>(request, { transfer: owned.buffers, signal });
 }
 
-function checkCall(client: Client, options: CallOptions): CallOptions {
-  checkKeys(options, KEYS.call);
+function checkCall(client: Client, given: CallOptions): CallOptions {
+  const options = knownOptions(given, KEYS.call);
   checkSignal(options.signal);
   client.checkUsable(options.signal);
   return options;
 }
 
 function sample(client: Client, name: string, options: SampleOptions): Promise<TriangleMesh> {
-  checkKeys(options, KEYS.sample);
-  const { detail = 1, signal } = options;
+  const { detail = 1, signal } = knownOptions(options, KEYS.sample);
   checkNumber('detail', detail, { range: 'from 1', atLeast: 1 });
   checkSignal(signal);
   client.checkUsable(signal);

@@ -5,14 +5,9 @@ import { AbflatError } from './base/errors.js';
 import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
 import { setTexcoords } from './gltf/texcoords.js';
 import { freeTexcoord } from './gltf/texture-sets.js';
+import { ownFields } from './messages/fields.js';
 import { neededFor } from './messages/needed-arrays.js';
-import {
-  checkAbflat,
-  checkBoolean,
-  checkFunction,
-  checkObject,
-  shown,
-} from './messages/validate.js';
+import { checkAbflat, checkBoolean, checkFunction, optionsOf, shown } from './messages/validate.js';
 import type { Abflat, UnwrapOptions, UnwrapProgress, UnwrapResult } from './types/index.js';
 
 export {
@@ -64,13 +59,13 @@ export function unwrap(
   abflat: Pick<Abflat, 'unwrap'>,
   options: UnwrapDocumentOptions = {},
 ): Transform {
-  checkObject(options);
-  const { readTexcoord = 0, groupBy = 'scene', onAtlas, ...others } = options;
+  const own = optionsOf(options);
+  const { readTexcoord = 0, groupBy = 'scene', onAtlas, ...others } = own;
   const { texcoord = others.fixedFaces === 'uv' ? readTexcoord : 0, ...rest } = others;
   const { overwrite = texcoord === 'auto' || rest.fixedFaces !== undefined, ...settings } = rest;
   checkAbflat(abflat);
   check({ texcoord, readTexcoord, overwrite, groupBy, onAtlas });
-  checkFunction('onProgress', settings.onProgress);
+  checkFunction('onProgress', own.onProgress);
   const transform = async (document: Document): Promise<void> => {
     const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
     const all = membersOf(document);
@@ -89,7 +84,7 @@ export function unwrap(
       const { turnedFaces } = result.report.repair;
       setTexcoords({ document, parts }, result, { texcoord: set, turnedFaces });
     }
-    for (const atlas of unwrapped) onAtlas?.({ ...atlas, texcoord: set });
+    for (const atlas of unwrapped) await onAtlas?.({ ...atlas, texcoord: set });
   };
   return Object.defineProperty(transform, 'name', { value: 'unwrap' });
 }
@@ -136,7 +131,7 @@ async function unwrapGroups(
   meshes: DocumentMesh[],
   options: UnwrapOptions,
 ): Promise<Omit<DocumentAtlas, 'texcoord'>[]> {
-  const { onProgress } = options;
+  const { onProgress } = ownFields(options);
   const atlases: Omit<DocumentAtlas, 'texcoord'>[] = [];
   for (const [i, mesh] of meshes.entries()) {
     const tell = (progress: UnwrapProgress) =>

@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import { AbflatError, messageOf } from './base/errors.js';
+import { ownFields } from './messages/fields.js';
 import type { FromWorker } from './messages/protocol.js';
 import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
 import { browser } from './platform-browser.js';
@@ -38,7 +39,7 @@ export const node: Platform = {
   startWorker(events, _build, address) {
     // The worker must not inherit the flags of the process; some, such as --input-type, would stop
     // it.
-    const options = { execArgv: [] };
+    const options = ownFields({ execArgv: [] });
     const worker =
       address === undefined
         ? new Worker(new URL('./worker-node.js', import.meta.url), options)

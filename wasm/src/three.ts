@@ -4,6 +4,7 @@ import { BufferAttribute, BufferGeometry } from 'three';
 import { AbflatError } from './base/errors.js';
 import { normalized } from './base/normalized.js';
 import { pickRows } from './base/rows.js';
+import { ownFields } from './messages/fields.js';
 import type { Layout, MeshArrays } from './types/index.js';
 
 export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
@@ -26,7 +27,7 @@ export function toBufferGeometry(
   options: ToBufferGeometryOptions = {},
 ): BufferGeometry {
   const geometry = new BufferGeometry();
-  const uv = options.normalize ? normalized(result.uv) : new Float32Array(result.uv);
+  const uv = ownFields(options).normalize ? normalized(result.uv) : new Float32Array(result.uv);
   const positions = positionsOf(result, mesh);
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('uv', new BufferAttribute(uv, 2));
@@ -65,9 +66,10 @@ function smoothNormals(
 }
 
 function positionsOf(
-  { positions, vertexMap }: Pick<Layout<unknown>, 'positions' | 'vertexMap'>,
+  result: Pick<Layout<unknown>, 'positions' | 'vertexMap'>,
   mesh: Pick<MeshArrays, 'positions'> | undefined,
 ): Float32Array {
+  const { positions, vertexMap } = ownFields(result);
   if (positions) return new Float32Array(positions);
   if (!mesh) {
     throw new AbflatError(

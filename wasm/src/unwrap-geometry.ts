@@ -10,7 +10,7 @@ import {
 import { AbflatError } from './base/errors.js';
 import { indexArray, pickRows } from './base/rows.js';
 import { neededFor } from './messages/needed-arrays.js';
-import { checkAbflat, checkMemory, checkObject, checkString } from './messages/validate.js';
+import { checkAbflat, checkMemory, checkString, optionsOf } from './messages/validate.js';
 import type { Abflat, MeshArrays, UnwrapOptions, UnwrapResult } from './types/index.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
@@ -35,8 +35,7 @@ export async function unwrapGeometry(
   settings: UnwrapGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {
   checkAbflat(abflat);
-  checkObject(settings);
-  const { attribute = 'uv', ...options } = settings;
+  const { attribute = 'uv', ...options } = optionsOf(settings);
   checkString('attribute', attribute);
   const result = await abflat.unwrap(neededFor(options, meshOf(geometry)), options);
   return { geometry: withUv(geometry, result, attribute), result };

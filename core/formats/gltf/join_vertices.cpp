@@ -1,11 +1,11 @@
 #include "abflat/gltf.h"
-#include "abflat/inspect.h"
+#include "mesh/surface.h"
 #include "mesh/weld.h"
 
 namespace abflat {
 
 std::size_t joinVertices(PolygonMesh& mesh) {
-  if (inspect(mesh).disk.ok()) return 0;
+  if (inspect(mesh, Pulse()).disk.ok()) return 0;
   const Welding welding = weldSurface(mesh);
   for (std::uint32_t& v : mesh.faceVertices) v = welding.ofVertex[v];
   return welding.merged;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "abflat/gltf.h"
+#include "base/guarded.h"
 #include "gltf/corner_table.h"
 #include "gltf/fresh_file.h"
 #include "gltf/origin.h"
@@ -233,8 +234,10 @@ Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>&
                              const std::vector<std::uint32_t>& cornerUv,
                              const std::vector<std::uint32_t>& triangleCorners,
                              const Appearance& look, const GltfMakeOptions& options) {
-  if (Status s = gltf::checkRange(mesh); !s.ok()) return s;
-  return gltf::ModelMaker(mesh, uv, cornerUv, triangleCorners, look, options).make();
+  return guarded([&]() -> Result<std::string> {
+    if (Status s = gltf::checkRange(mesh); !s.ok()) return s;
+    return gltf::ModelMaker(mesh, uv, cornerUv, triangleCorners, look, options).make();
+  });
 }
 
 }  // namespace abflat

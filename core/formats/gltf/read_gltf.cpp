@@ -5,6 +5,7 @@
 #include <map>
 
 #include "abflat/gltf.h"
+#include "base/guarded.h"
 #include "gltf/budget.h"
 #include "gltf/container.h"
 #include "gltf/elements.h"
@@ -281,8 +282,10 @@ class ModelReader {
 
 bool looksLikeGltf(std::string_view bytes) { return gltf::looksLikeGltf(bytes); }
 
-Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource, std::size_t texcoord) {
+namespace {
+
+Result<GltfModel> modelOf(std::string_view bytes, const std::string& fileName,
+                          const ReadResource& readResource, std::size_t texcoord) {
   Result<gltf::Document> document = gltf::readDocument(bytes, fileName, readResource);
   if (!document.ok()) return document.status;
   auto source = std::make_shared<gltf::Source>();
@@ -291,6 +294,13 @@ Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
   if (Status s = gltf::ModelReader(*source, out, texcoord).read(); !s.ok()) return s;
   out.source = std::move(source);
   return out;
+}
+
+}  // namespace
+
+Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
+                           const ReadResource& readResource, std::size_t texcoord) {
+  return guarded([&] { return modelOf(bytes, fileName, readResource, texcoord); });
 }
 
 }  // namespace abflat

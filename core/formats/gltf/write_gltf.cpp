@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "abflat/gltf.h"
+#include "base/guarded.h"
 #include "gltf/container.h"
 #include "gltf/edit.h"
 #include "gltf/grow.h"
@@ -178,12 +179,14 @@ bool hasNormalMap(const Json& json, std::size_t material, std::size_t texcoord) 
 Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
                               const std::vector<std::uint32_t>& cornerUv,
                               const GltfWriteOptions& options) {
-  gltf::SplitParts split = gltf::splitParts(source, uv, cornerUv, options.turnedFaces);
-  auto [json, buffer] = gltf::ModelWriter(source, std::move(split), options.texcoord).write();
-  gltf::moveImages(json, options.pathToSource);
-  if (options.isBinary) return gltf::binaryFile(json.dump(), buffer, source.document.otherChunks);
-  json["buffers"][0]["uri"] = gltf::dataUri(buffer);
-  return json.dump(2) + "\n";
+  return guarded([&]() -> Result<std::string> {
+    gltf::SplitParts split = gltf::splitParts(source, uv, cornerUv, options.turnedFaces);
+    auto [json, buffer] = gltf::ModelWriter(source, std::move(split), options.texcoord).write();
+    gltf::moveImages(json, options.pathToSource);
+    if (options.isBinary) return gltf::binaryFile(json.dump(), buffer, source.document.otherChunks);
+    json["buffers"][0]["uri"] = gltf::dataUri(buffer);
+    return json.dump(2) + "\n";
+  });
 }
 
 std::string compressionNote(const gltf::Source& source) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -46,6 +47,8 @@ ThreadPool::ThreadPool(unsigned threads) {
     try {
       threads_.emplace_back([this] { work(); });
     } catch (const std::system_error&) {
+      break;
+    } catch (const std::bad_alloc&) {
       break;
     }
 #else

@@ -56,10 +56,10 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<double>& points) {
 /// the curve is.
 class EdgeTree {
  public:
-  EdgeTree(const std::vector<double>& points, std::size_t keepFirst)
+  EdgeTree(const std::vector<double>& points, std::size_t most)
       : points_(points),
         order_(spatialOrder(points)),
-        keepFirst_(keepFirst),
+        most_(most),
         n_(static_cast<std::uint32_t>(order_.size())) {
     while (leaves_ < n_) leaves_ *= 2;
     boxes_.resize(2 * static_cast<std::size_t>(leaves_));
@@ -72,7 +72,7 @@ class EdgeTree {
     constexpr std::size_t kManyPairs = 64;
     allowed_ = kManyPairs * n_;
     within(1, 0, leaves_);
-    const bool isBetter = allowed_ == 0;
+    const bool isBetter = allowed_ == 0 && found_.count < most_;
     allowed_ = std::numeric_limits<std::size_t>::max();
     if (isBetter) found_ = {};
     return isBetter;
@@ -124,7 +124,7 @@ class EdgeTree {
   /// Pairs between two runs of `size` edges each.
   void across(std::uint32_t nodeA, std::uint32_t a, std::uint32_t nodeB, std::uint32_t b,
               std::uint32_t size) {
-    if (allowed_ == 0) return;
+    if (allowed_ == 0 || found_.count == most_) return;
     --allowed_;
     if (a >= n_ || b >= n_ || disjoint(boxes_[nodeA], boxes_[nodeB])) return;
     if (size == 1) return testPair(std::min(order_[a], order_[b]), std::max(order_[a], order_[b]));
@@ -144,7 +144,7 @@ class EdgeTree {
       meet = segmentsMeet(point(i), point(i + 1), point(j), point(j + 1));
     if (!meet) return;
     ++found_.count;
-    if (found_.first.size() < keepFirst_) found_.first.push_back({i, j});
+    if (found_.first.size() < kKept) found_.first.push_back({i, j});
   }
 
   /// Whether edge i + 1 folds back onto edge i.
@@ -154,9 +154,11 @@ class EdgeTree {
     return isBetween(a, b, c) || isBetween(b, c, a);
   }
 
+  static constexpr std::size_t kKept = 4096;
+
   const std::vector<double>& points_;
   std::vector<std::uint32_t> order_;
-  std::size_t keepFirst_;
+  std::size_t most_;
   std::uint32_t n_, leaves_ = 1;
   std::size_t allowed_ = 0;  ///< pairs of boxes that may still be tested
   std::vector<EdgeBox> boxes_;
@@ -165,10 +167,10 @@ class EdgeTree {
 
 }  // namespace
 
-Crossings findCrossings(const std::vector<double>& points, std::size_t keepFirst) {
+Crossings findCrossings(const std::vector<double>& points, std::size_t most) {
   // All edges of a triangle are neighbours; with positive area it is simple.
   if (points.size() < 8) return {};
-  return EdgeTree(points, keepFirst).run();
+  return EdgeTree(points, most).run();
 }
 
 }  // namespace abflat

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace abflat {
@@ -15,6 +16,8 @@ struct Crossings {
       first;  ///< pairs of edges i < j in order, edge i from point i to i + 1; if there are too
               ///< many, those found first
 };
-Crossings findCrossings(const std::vector<double>& points, std::size_t keepFirst = 4096);
+/// The search ends with the crossing number `most`: there may be as many as pairs of edges.
+Crossings findCrossings(const std::vector<double>& points,
+                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace abflat

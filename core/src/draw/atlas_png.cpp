@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "abflat/draw.h"
+#include "base/guarded.h"
 #include "draw/atlas_polygons.h"
 #include "draw/band.h"
 #include "draw/colours.h"
@@ -125,15 +126,13 @@ Status checkSize(const UnwrapResult& result) {
                                          "SVG"};
 }
 
-}  // namespace
-
-Result<std::string> atlasPng(const PolygonMesh& mesh, const UnwrapResult& result) {
+Result<std::string> chartPng(const PolygonMesh& mesh, const UnwrapResult& result) {
   if (Status s = checkSize(result); !s.ok()) return s;
   return AtlasPainter(mesh, result)
       .png([&](std::uint32_t f) { return chartColour(result.chartOfFace[f]); }, true);
 }
 
-Result<std::string> heatMapPng(const PolygonMesh& mesh, const UnwrapResult& result) {
+Result<std::string> ratioPng(const PolygonMesh& mesh, const UnwrapResult& result) {
   if (Status s = checkSize(result); !s.ok()) return s;
   const FaceAreas areas = faceAreas(mesh, result);
   const double scale = areas.uvSum > 0 ? areas.sum / areas.uvSum : 0;
@@ -144,6 +143,16 @@ Result<std::string> heatMapPng(const PolygonMesh& mesh, const UnwrapResult& resu
             return ratioColour(scale * areas.inUv[f] / areas.in3d[f]);
           },
           false);
+}
+
+}  // namespace
+
+Result<std::string> atlasPng(const PolygonMesh& mesh, const UnwrapResult& result) {
+  return guarded([&] { return chartPng(mesh, result); });
+}
+
+Result<std::string> heatMapPng(const PolygonMesh& mesh, const UnwrapResult& result) {
+  return guarded([&] { return ratioPng(mesh, result); });
 }
 
 }  // namespace abflat

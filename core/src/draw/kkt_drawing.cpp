@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "abflat/draw.h"
+#include "base/guarded.h"
 #include "draw/kkt_pattern.h"
 #include "draw/panel.h"
 #include "draw/svg_writer.h"
@@ -128,9 +129,7 @@ void paintBlocks(SvgWriter& out, const KktPattern& pattern) {
   }
 }
 
-}  // namespace
-
-Result<Drawing> drawKktMatrix(const PolygonMesh& mesh, double t, Formulation formulation) {
+Result<Drawing> drawKkt(const PolygonMesh& mesh, double t, Formulation formulation) {
   const Result<KktPattern> pattern = kktPattern(mesh, t, formulation);
   if (!pattern.ok()) return pattern.status;
   const KktPattern& p = pattern.value;
@@ -156,6 +155,12 @@ Result<Drawing> drawKktMatrix(const PolygonMesh& mesh, double t, Formulation for
   paintBlocks(out, p);
   paintActiveBounds(out, p);
   return Drawing{kLeft + kSize + 70, kStripTop + kStrip + 4, out.take()};
+}
+
+}  // namespace
+
+Result<Drawing> drawKktMatrix(const PolygonMesh& mesh, double t, Formulation formulation) {
+  return guarded([&] { return drawKkt(mesh, t, formulation); });
 }
 
 }  // namespace abflat

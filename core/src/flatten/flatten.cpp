@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "abflat/mesh.h"
+#include "base/guarded.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "boundary/requested_bounds.h"
@@ -212,7 +213,7 @@ class Flattening {
 }  // namespace
 
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options) {
-  return Flattening(mesh, options).run();
+  return guarded([&] { return Flattening(mesh, options).run(); });
 }
 
 }  // namespace abflat

@@ -1,4 +1,5 @@
 #include "abflat/io.h"
+#include "base/guarded.h"
 #include "io/obj_lines.h"
 #include "io/read_obj.h"
 #include "io/read_off.h"
@@ -54,9 +55,7 @@ Result<PolygonMesh> withoutSpare(Result<PolygonMesh> mesh) {
   return mesh;
 }
 
-}  // namespace
-
-Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes) {
+Result<MeshFormat> formatOf(std::string_view fileName, std::string_view bytes) {
   if (endsWith(fileName, ".obj")) return MeshFormat::Obj;
   if (endsWith(fileName, ".off")) return MeshFormat::Off;
   if (endsWith(fileName, ".ply")) return MeshFormat::Ply;
@@ -72,7 +71,7 @@ Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view byte
           (bytes.empty() ? ": the file is empty" : " is not supported. Use OBJ, PLY, STL or OFF")};
 }
 
-Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName) {
+Result<PolygonMesh> readAs(MeshFormat format, std::string_view bytes, std::string_view fileName) {
   std::string_view text = bytes;
   if (isUtf16(bytes) && !(format == MeshFormat::Stl && looksLikeStl(bytes)))
     return Status{StatusCode::ParseError,
@@ -89,6 +88,16 @@ Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::str
       return withoutSpare(readStl(bytes, fileName));  // binary STL may begin with anything
   }
   return Status{StatusCode::Internal, "no reader for this format"};
+}
+
+}  // namespace
+
+Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes) {
+  return guarded([&] { return formatOf(fileName, bytes); });
+}
+
+Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName) {
+  return guarded([&] { return readAs(format, bytes, fileName); });
 }
 
 }  // namespace abflat

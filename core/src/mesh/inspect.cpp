@@ -3,11 +3,19 @@
 #include <set>
 
 #include "abflat/mesh.h"
+#include "base/guarded.h"
 #include "mesh/surface.h"
 
 namespace abflat {
 
-MeshSummary inspect(const PolygonMesh& mesh) { return inspect(mesh, Pulse()); }
+MeshSummary inspect(const PolygonMesh& mesh) {
+  const Result<MeshSummary> summary =
+      guarded([&]() -> Result<MeshSummary> { return inspect(mesh, Pulse()); });
+  if (summary.ok()) return summary.value;
+  MeshSummary unknown;
+  unknown.disk = summary.status;
+  return unknown;
+}
 
 MeshSummary inspect(const PolygonMesh& mesh, const Pulse& pulse) {
   MeshSummary summary;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/guarded.h"
 #include "base/invalid.h"
 #include "mesh/triangle_geometry.h"
 #include "pin/pinned_layout.h"
@@ -84,9 +85,7 @@ std::vector<double> surfaceAngles(const PolygonMesh& mesh) {
   return out;
 }
 
-}  // namespace
-
-Result<std::vector<double>> pinWeights(const PinnedMesh& layout) {
+Result<std::vector<double>> weightsOf(const PinnedMesh& layout) {
   if (Status s = validateArrays(layout.mesh); !s.ok()) return s;
   if (Status s = checkLayout(layout); !s.ok()) return s;
   if (Status s = checkPins(layout); !s.ok()) return s;
@@ -104,6 +103,12 @@ Result<std::vector<double>> pinWeights(const PinnedMesh& layout) {
         "the linear system that spreads the pins is numerically singular. Pin other vertices");
   for (std::size_t i = 0; i < moved.uv.size(); ++i) moved.uv[i] -= layout.uv[i];
   return std::move(moved.uv);
+}
+
+}  // namespace
+
+Result<std::vector<double>> pinWeights(const PinnedMesh& layout) {
+  return guarded([&] { return weightsOf(layout); });
 }
 
 }  // namespace abflat

@@ -4,6 +4,7 @@
 
 #include "abflat/mesh.h"
 #include "base/counted.h"
+#include "base/guarded.h"
 #include "base/stopwatch.h"
 #include "chart/disk_chart.h"
 #include "check/distortion.h"
@@ -78,7 +79,7 @@ class Comparer {
   Comparer(const PolygonMesh& mesh, const DiskChart& chart, const CompareOptions& options)
       : mesh_(mesh), chart_(chart), options_(options) {}
 
-  /// Errors: Aborted.
+  /// Errors: Aborted, OutOfMemory.
   Result<std::vector<MethodResult>> run() {
     for (const Method& method : kMethods) total_ += method.work;
     std::vector<MethodResult> rows;
@@ -90,6 +91,7 @@ class Comparer {
       const StatusCode code =
           method.embed ? addReference(method, rows.front().uv, row) : addAbflat(method, row);
       if (code == StatusCode::Aborted) return aborted();
+      if (code == StatusCode::OutOfMemory) return Status{code, row.problem};
       rows.push_back(std::move(row));
       done_ += method.work;
     }
@@ -146,9 +148,7 @@ class Comparer {
   double total_ = 0, done_ = 0;
 };
 
-}  // namespace
-
-Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& options) {
+Result<Comparison> compareMethods(const PolygonMesh& mesh, const CompareOptions& options) {
   if (Status s = validateArrays(mesh); !s.ok()) return s;
   const Surface surface = buildSurface(mesh);
   if (!surface.summary.disk.ok()) return surface.summary.disk;
@@ -161,6 +161,12 @@ Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& option
   out.vertexMap.assign(chart.inputVertex.begin(), chart.inputVertex.end());
   out.triangles.assign(chart.vertexOfCorner.begin(), chart.vertexOfCorner.end());
   return out;
+}
+
+}  // namespace
+
+Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& options) {
+  return guarded([&] { return compareMethods(mesh, options); });
 }
 
 }  // namespace abflat

@@ -48,11 +48,13 @@ class Fairer {
         pulse_(pulse),
         outgoing_(outgoingHalfEdges(mesh)),
         isFixed_(mesh.twin.size(), 0),
-        isSettled_(mesh.twin.size(), 0),
+        isGoal_(mesh.twin.size(), 0),
         isOpen_(mesh.vertexCount(), 0),
         isFilled_(mesh.vertexCount(), 0),
         hasFixed_(mesh.vertexCount(), 0),
         isNear_(mesh.vertexCount(), 0),
+        settledAt_(mesh.twin.size(), 0),
+        changedAt_(mesh.vertexCount(), 0),
         count_(mesh.vertexCount(), 0),
         passed_(mesh.vertexCount(), kUnreached),
         before_(mesh.twin.size()) {
@@ -144,12 +146,9 @@ class Fairer {
 
   /// Whether nothing has changed at its ends since no better path was found.
   bool isSettled(const Path& path) const {
-    return std::all_of(path.begin(), path.end(), [&](SurfaceCorner h) { return isSettled_[h]; });
-  }
-
-  void setSettled(SurfaceCorner h, bool isSettled) {
-    isSettled_[h] = isSettled;
-    if (mesh_.twin[h].exists()) isSettled_[mesh_.twin[h]] = isSettled;
+    return std::all_of(path.begin(), path.end(), [&](SurfaceCorner h) {
+      return settledAt_[h] > std::max(changedAt_[tail(h)], changedAt_[head(h)]);
+    });
   }
 
   void mark(const Path& path, bool isSeam) {
@@ -167,12 +166,12 @@ class Fairer {
       now = reversed(now);
       isChanged = redraw(now) || isChanged;
     }
+    ++clock_;
     if (!isChanged)
-      for (const SurfaceCorner h : now) setSettled(h, true);
+      for (const SurfaceCorner h : now) settledAt_[h] = settledAt_[mesh_.twin[h]] = clock_;
     else
       for (const Path* p : {&path, &std::as_const(now)})
-        for (const SurfaceVertex v : {tail(p->front()), head(p->back())})
-          forEachOutgoing(v, [&](SurfaceCorner h) { setSettled(h, false); });
+        for (const SurfaceVertex v : {tail(p->front()), head(p->back())}) changedAt_[v] = clock_;
     return isChanged;
   }
 
@@ -222,6 +221,13 @@ class Fairer {
     return h;
   }
 
+  /// The outgoing half-edges of a sector but for the one that names it.
+  template <typename Visit>
+  void forEachInSector(SurfaceCorner sector, Visit visit) const {
+    SurfaceCorner h = rotateCounterClockwise(mesh_.twin, sector);
+    for (; h.exists() && !isBarrier(h); h = rotateCounterClockwise(mesh_.twin, h)) visit(h);
+  }
+
   SurfaceCorner along(SurfaceCorner h, bool isForward) const {
     const auto step = [&](SurfaceCorner g) { return isForward ? nextCorner(g) : prevCorner(g); };
     for (h = step(h); !isBarrier(h);) h = step(mesh_.twin[h]);
@@ -244,7 +250,6 @@ class Fairer {
         if (slid < most) out.push_back(h);
       }
     }
-    std::sort(out.begin(), out.end());
     return out;
   }
 
@@ -257,9 +262,14 @@ class Fairer {
     const bool isFromWithin = !isOutline(first);
     const bool isAnywhere = isFromWithin && isOutline(last);
     const Path goals = isAnywhere ? Path{} : goalsOf(path, slide);
+    const auto setGoals = [&](bool isGoal) {
+      for (const SurfaceCorner sector : goals)
+        forEachInSector(sector, [&](SurfaceCorner h) { isGoal_[h] = isGoal; });
+    };
+    setGoals(true);
     const auto isGoal = [&](SurfaceCorner h) {
       if (!isOutline(head(h))) return head(h) == last;
-      return isAnywhere || std::binary_search(goals.begin(), goals.end(), sectorOf(mesh_.twin[h]));
+      return isAnywhere || isGoal_[mesh_.twin[h]];
     };
     const auto toGo = [&](SurfaceVertex v) {
       const double straight = norm(edgeVector(mesh_.positions, v, last));
@@ -279,11 +289,11 @@ class Fairer {
       reached.push_back(v);
       queue.push({expected, passed, h});
     };
-    const SurfaceCorner sector = isFromWithin ? SurfaceCorner() : sectorOf(path.front());
-    forEachOutgoing(first, [&](SurfaceCorner h) {
-      if (!isBarrier(h) && (isFromWithin || sectorOf(h) == sector))
-        reach(h, cost_[h], SurfaceCorner());
-    });
+    const auto begin = [&](SurfaceCorner h) { reach(h, cost_[h], SurfaceCorner()); };
+    if (isFromWithin)
+      forEachOutgoing(first, begin);
+    else
+      forEachInSector(sectorOf(path.front()), begin);
     Path out;
     while (!queue.empty() && out.empty()) {
       const PathEnd top = queue.top();
@@ -305,6 +315,7 @@ class Fairer {
       }
     }
     for (const SurfaceVertex v : reached) passed_[v] = kUnreached;
+    setGoals(false);
     std::reverse(out.begin(), out.end());
     constexpr double kGain = 1e-6;  // more than rounding
     return pathCost(mesh_, cost_, out) < (1 - kGain) * most ? out : Path{};
@@ -317,9 +328,14 @@ class Fairer {
   Seams& seams_;
   const Pulse& pulse_;
   const IdVector<SurfaceVertex, SurfaceCorner> outgoing_;
-  IdVector<SurfaceCorner, std::uint8_t> isFixed_, isSettled_;
+  IdVector<SurfaceCorner, std::uint8_t> isFixed_;
+  IdVector<SurfaceCorner, std::uint8_t> isGoal_;  ///< leaves where the open path may end
   /// On the mesh's boundary, on a filled hole, on a seam that stays, near the path.
   IdVector<SurfaceVertex, std::uint8_t> isOpen_, isFilled_, hasFixed_, isNear_;
+  /// When a path was last found to be the best, and when an end of a path last changed.
+  IdVector<SurfaceCorner, std::uint32_t> settledAt_;
+  IdVector<SurfaceVertex, std::uint32_t> changedAt_;
+  std::uint32_t clock_ = 0;
   IdVector<SurfaceVertex, int> count_;             ///< number of seams at the vertex
   IdVector<SurfaceVertex, double> passed_;         ///< cost of the way to the vertex
   IdVector<SurfaceCorner, SurfaceCorner> before_;  ///< the half-edge leading to it

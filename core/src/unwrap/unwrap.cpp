@@ -8,6 +8,7 @@
 #include "abflat/mesh.h"
 #include "abflat/peak_memory.h"
 #include "base/free_memory.h"
+#include "base/guarded.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "chart/chart_set.h"
@@ -407,8 +408,10 @@ Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& 
 }  // namespace
 
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
-  if (Status s = validateArrays(mesh); !s.ok()) return s;
-  return options.orient ? unwrapTurned(mesh, options, unwrapAsItIs) : unwrapAsItIs(mesh, options);
+  return guarded([&]() -> Result<UnwrapResult> {
+    if (Status s = validateArrays(mesh); !s.ok()) return s;
+    return options.orient ? unwrapTurned(mesh, options, unwrapAsItIs) : unwrapAsItIs(mesh, options);
+  });
 }
 
 }  // namespace abflat

@@ -17,8 +17,11 @@ int runInspect(const InspectCommand& command) {
   };
   const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
   if (!input.ok()) return ended(input.status);
-  const Result<MeshSummary> summary =
-      orOutOfMemory(name, [&]() -> Result<MeshSummary> { return inspect(input.value.mesh); });
+  const Result<MeshSummary> summary = orOutOfMemory(name, [&]() -> Result<MeshSummary> {
+    MeshSummary found = inspect(input.value.mesh);
+    if (found.disk.code == StatusCode::OutOfMemory) return found.disk;
+    return found;
+  });
   if (!summary.ok()) return ended(summary.status);
   OutputFile out(kStandardStream);
   const Status written =

@@ -13,12 +13,14 @@ inline Status outOfMemory(const std::string& place) {
           place + ": not enough memory. Use a smaller mesh or a machine with more memory"};
 }
 
-/// Runs `work`, which returns a Result, and turns out-of-memory exceptions of the standard library,
-/// which the core does not catch, into an error.
+/// Runs `work`, which returns a Result, and names the place where memory ran out, be it in the
+/// core, which returns a status, or here, with an exception of the standard library.
 template <class Work>
 auto orOutOfMemory(const std::string& place, const Work& work) -> decltype(work()) {
   try {
-    return work();
+    auto result = work();
+    if (result.status.code == StatusCode::OutOfMemory) result.status = outOfMemory(place);
+    return result;
   } catch (const std::bad_alloc&) {
     return outOfMemory(place);
   } catch (const std::length_error&) {  // a container that cannot grow to the requested size

@@ -103,14 +103,26 @@ function spoil(random, mesh) {
   if (random.chance(0.1)) {
     const value = mesh[name];
     const throws = value === undefined || random.chance(0.3);
-    Object.defineProperty(mesh, name, {
-      enumerable: true,
-      get() {
-        if (throws) throw new CallersError('of the caller');
-        return value;
-      },
-    });
+    const get = () => {
+      if (throws) throw new CallersError('of the caller');
+      return value;
+    };
+    Object.defineProperty(mesh, name, { enumerable: true, get });
+    return;
   }
+  if (random.chance(0.1)) takeAway(mesh, name, random.pick(Object.keys(mesh)));
+}
+
+/** Getting one array of the mesh transfers another away. */
+function takeAway(mesh, name, other) {
+  const [value, taken] = [mesh[name], mesh[other]];
+  const get = () => {
+    const isLeft = taken?.buffer instanceof ArrayBuffer && taken.buffer.byteLength > 0;
+    if (isLeft) detached(taken);
+    return value;
+  };
+  Object.defineProperty(mesh, other, { enumerable: true, get: () => taken });
+  Object.defineProperty(mesh, name, { enumerable: true, get });
 }
 
 const NAMES = ['mesh.obj', 'mesh.off', 'mesh.ply', 'mesh.stl', 'mesh', '', 'a.glb', 'é\ud800.obj'];

@@ -42,12 +42,16 @@ const OTHER_SEAMS = [
   'sharp=nan',
 ];
 
-const onProgress = (random) =>
-  random.chance(0.8)
-    ? () => undefined
-    : () => {
-        throw new CallersError('of the caller');
-      };
+const fail = () => {
+  throw new CallersError('of the caller');
+};
+const LISTENERS = [
+  fail,
+  async () => fail(),
+  () => new Promise((resolve) => setTimeout(resolve, 1)).then(fail),
+];
+
+const onProgress = (random) => (random.chance(0.8) ? () => undefined : random.pick(LISTENERS));
 
 const boolean = (random) => random.chance(0.5);
 

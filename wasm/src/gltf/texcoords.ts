@@ -4,6 +4,7 @@ import type { Accessor, Document, Primitive } from '@gltf-transform/core';
 import { AbflatError } from '../base/errors.js';
 import { normalized } from '../base/normalized.js';
 import { indexArray, pickRows } from '../base/rows.js';
+import { ownFields } from '../messages/fields.js';
 import type { Layout } from '../types/index.js';
 import { cornersOf, type DocumentMesh, type DocumentPart, turned } from './document-mesh.js';
 import { freeTexcoord } from './texture-sets.js';
@@ -35,8 +36,9 @@ export interface SetTexcoordsOptions {
 export function setTexcoords(
   { document, parts }: Pick<DocumentMesh, 'document' | 'parts'>,
   { uv, indices }: Pick<Layout<unknown>, 'uv' | 'indices'>,
-  { texcoord = 0, normalize = false, turnedFaces = [] }: SetTexcoordsOptions = {},
+  options: SetTexcoordsOptions = {},
 ): void {
+  const { texcoord = 0, normalize = false, turnedFaces = [] } = ownFields(options);
   const triangles = parts.reduce((sum, { triangleCount }) => sum + triangleCount, 0);
   if (indices.length !== 3 * triangles)
     throw new AbflatError(

@@ -2,6 +2,7 @@
 
 import { AbflatError, messageOf } from '../base/errors.js';
 import type { MeshArrays } from '../types/index.js';
+import { fieldsOf, hasField } from './fields.js';
 import type { OwnedArrays, OwnedFile, OwnedMesh } from './protocol.js';
 import { bytesIn, checkBoolean, checkMemory, shown, tagOf } from './validate.js';
 
@@ -30,15 +31,15 @@ export function takeMesh(mesh: unknown, transfer: unknown): Owned<OwnedMesh> {
 
 /** A layout, which a file may not be. */
 export function takeArrays(mesh: unknown, transfer: unknown): Owned<OwnedArrays> {
-  if (tagOf(mesh) !== 'Object' || 'bytes' in (mesh as object))
+  if (tagOf(mesh) !== 'Object' || hasField(mesh, 'bytes'))
     throw invalid('The layout must be { positions, indices, texcoords }.');
   return take(checkArrays(mesh as object), transfer);
 }
 
 export function takeFile(file: unknown, transfer: unknown): Owned<OwnedFile> {
-  if (tagOf(file) !== 'Object' || !('bytes' in (file as object)))
+  if (tagOf(file) !== 'Object' || !hasField(file, 'bytes'))
     throw invalid('The file must be { bytes, name }.');
-  return take(checkFile(file as object), transfer);
+  return take(checkFile(file), transfer);
 }
 
 function take<T extends OwnedMesh>(mesh: T, transfer: unknown): Owned<T> {
@@ -61,10 +62,11 @@ function move<T extends OwnedMesh>(mesh: T): T {
 
 function checkMesh(mesh: unknown): OwnedMesh {
   if (tagOf(mesh) !== 'Object') throw invalid(`${WANTED}.`);
-  return 'bytes' in (mesh as object) ? checkFile(mesh as object) : checkArrays(mesh as object);
+  return hasField(mesh, 'bytes') ? checkFile(mesh) : checkArrays(mesh as object);
 }
 
-function checkFile({ bytes, name = 'mesh' }: { bytes?: unknown; name?: unknown }): OwnedFile {
+function checkFile(file: unknown): OwnedFile {
+  const { bytes, name = 'mesh' } = fieldsOf(file, ['bytes', 'name']);
   if (typeof name !== 'string') throw invalid('The name of the mesh must be a string.');
   const tag = tagOf(bytes);
   if (tag !== 'Uint8Array' && tag !== 'ArrayBuffer')
@@ -94,23 +96,26 @@ const REALS = ['Float32Array', 'Float64Array'];
 const WHOLE = ['Uint32Array', 'Uint16Array', 'Uint8Array'];
 const OTHERS = ['Array', 'Int8Array', 'Int16Array', 'Int32Array'];
 
-function checkArrays(mesh: Partial<Record<keyof MeshArrays, unknown>>): OwnedArrays {
-  if (mesh.positions === undefined)
+const OF_ARRAYS: readonly (keyof MeshArrays)[] = ['positions', 'indices', 'texcoords', 'materials'];
+
+function checkArrays(mesh: object): OwnedArrays {
+  const given = fieldsOf(mesh, OF_ARRAYS);
+  if (given.positions === undefined)
     throw invalid(`${WANTED}; it has no positions${hintFor(mesh)}.`);
-  const positions = reals('positions', mesh.positions);
+  const positions = reals('positions', given.positions);
   checkMultiple('positions', positions, 3);
   const indices =
-    mesh.indices === undefined || mesh.indices === null
+    given.indices === undefined || given.indices === null
       ? ofSeparateTriangles(positions.length / 3)
-      : whole('indices', mesh.indices);
+      : whole('indices', given.indices);
   checkMultiple('indices', indices, 3);
   const checked: OwnedArrays = { positions, indices };
-  if (mesh.texcoords !== undefined) {
-    checked.texcoords = reals('texcoords', mesh.texcoords);
+  if (given.texcoords !== undefined) {
+    checked.texcoords = reals('texcoords', given.texcoords);
     checkLength('texcoords', checked.texcoords, (2 * positions.length) / 3, '2 per vertex');
   }
-  if (mesh.materials !== undefined) {
-    checked.materials = whole('materials', mesh.materials);
+  if (given.materials !== undefined) {
+    checked.materials = whole('materials', given.materials);
     checkLength('materials', checked.materials, indices.length / 3, '1 per triangle');
   }
   return checked;
@@ -129,24 +134,36 @@ function reals(name: string, values: unknown): Float32Array | Float64Array {
   const tag = kindOf(name, values);
   if (REALS.includes(tag)) return values as Float32Array;
   checkKind(name, tag, [...REALS, ...WHOLE]);
-  const numbers = values as ArrayLike<number>;
-  for (let i = 0; i < numbers.length; ++i)
-    if (typeof numbers[i] !== 'number')
-      throw invalid(`${name}[${i}] must be a number, not ${tagOf(numbers[i])}.`);
-  return new Float64Array(numbers);
+  return new Float64Array(
+    listOf(values as ArrayLike<unknown>, (value, i) => {
+      if (typeof value === 'number') return;
+      throw invalid(`${name}[${i}] must be a number, not ${tagOf(value)}.`);
+    }),
+  );
 }
 
 function whole(name: string, values: unknown): Uint32Array | Uint16Array | Uint8Array {
   const tag = kindOf(name, values);
   if (WHOLE.includes(tag)) return values as Uint32Array;
   checkKind(name, tag, WHOLE);
-  const numbers = values as ArrayLike<number>;
-  for (let i = 0; i < numbers.length; ++i) {
-    const value = numbers[i] as number;
-    if (!Number.isInteger(value) || value < 0 || value >= 2 ** 32)
+  return new Uint32Array(
+    listOf(values as ArrayLike<unknown>, (value, i) => {
+      const isWhole = Number.isInteger(value) && (value as number) >= 0;
+      if (isWhole && (value as number) < 2 ** 32) return;
       throw invalid(`${name}[${i}] must be a whole number from 0, not ${shown(value)}.`);
+    }),
+  );
+}
+
+/** The elements, each read once and checked: those of an array may be getters. */
+function listOf(values: ArrayLike<unknown>, check: (value: unknown, i: number) => void): number[] {
+  const list: number[] = [];
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i];
+    check(value, i);
+    list.push(value as number);
   }
-  return new Uint32Array(numbers);
+  return list;
 }
 
 function kindOf(name: string, values: unknown): string {
@@ -172,6 +189,7 @@ function copy<T extends OwnedMesh>(mesh: T): T {
   const fields = Object.entries(mesh).map(([name, value]) => {
     if (!ArrayBuffer.isView(value)) return [name, value];
     const view = value as Float64Array;
+    checkMemory(name, view); // a getter of the mesh may have taken it since
     const Kind = KINDS[tagOf(view) as keyof typeof KINDS];
     return [name, new Kind(view)];
   });

@@ -11,7 +11,7 @@ import {
   type UnwrapOptionValues,
 } from '../base/generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from '../base/memory.js';
-import type { KnownLayout } from '../types/index.js';
+import { fieldOf, fieldsOf, ownFields } from './fields.js';
 import type { KnownArrays, PinNumbers } from './protocol.js';
 
 const OF_CALL = ['signal', 'transfer'];
@@ -79,20 +79,23 @@ const lost = (name: string) =>
     `${name} has lost its memory: its buffer was transferred or resized. Pass a copy.`,
   );
 
-export function checkObject(options: unknown): void {
+/** The caller's options. Nothing else of theirs may be read as options. */
+export function optionsOf<T extends object>(options: T): T {
   if (tagOf(options) !== 'Object') throw invalid('The options must be an object.');
+  return ownFields(options);
 }
 
-export function checkKeys(options: object, known: string[]): void {
-  checkObject(options);
-  const unknown = Object.keys(options).find((key) => !known.includes(key));
-  if (unknown === undefined) return;
+/** The same, for options with known names. */
+export function knownOptions<T extends object>(options: T, known: string[]): T {
+  const own = optionsOf(options);
+  const unknown = Object.keys(own).find((key) => !known.includes(key));
+  if (unknown === undefined) return own;
   throw invalid(`There is no option "${unknown}". The options are ${known.join(', ')}.`);
 }
 
 export function checkSignal(signal: unknown): void {
-  const { addEventListener } = Object(signal) as { addEventListener?: unknown };
-  const isSignal = tagOf(signal) === 'AbortSignal' && typeof addEventListener === 'function';
+  const isSignal =
+    tagOf(signal) === 'AbortSignal' && typeof fieldOf(signal, 'addEventListener') === 'function';
   if (signal !== undefined && !isSignal) throw invalid('signal must be an AbortSignal.');
 }
 
@@ -112,14 +115,14 @@ export function checkFunction(name: string, value: unknown): void {
 
 /** For functions that take abflat as an argument. */
 export function checkAbflat(abflat: unknown): void {
-  if (typeof (abflat as { unwrap?: unknown } | null | undefined)?.unwrap !== 'function')
+  if (typeof fieldOf(abflat, 'unwrap') !== 'function')
     throw invalid(
       'The first argument must be what createAbflat resolves to: await createAbflat().',
     );
 }
 
 export function checkAddress(name: string, value: unknown): void {
-  if (value === undefined || typeof (value as { href?: unknown } | null)?.href === 'string') return;
+  if (value === undefined || typeof fieldOf(value, 'href') === 'string') return;
   if (typeof value !== 'string' || value === '') throw invalid(`${name} must be a URL.`);
 }
 
@@ -210,38 +213,35 @@ export function knownArrays(known: unknown, needsUv: string | false): KnownArray
     if (needsUv) throw invalid(`${needsUv} needs known, the result that has these charts.`);
     return undefined;
   }
-  const found = (known ?? {}) as Partial<KnownLayout>;
-  const check = (
-    name: 'uv' | 'unpacked' | 'indices' | 'vertexMap' | 'chartOfTriangle',
-    tag: string,
-  ) => {
+  const found = fieldsOf(known, OF_KNOWN);
+  const options = fieldsOf(fieldOf(found.report, 'options'), ['t', 'balance', 'straightSeams']);
+  const check = <T extends ArrayBufferView>(name: keyof typeof found, tag: string): T => {
     if (tagOf(found[name]) !== tag)
       throw invalid(`known must be a result of unwrap; its ${name} is not a ${tag}.`);
     checkMemory(`known.${name}`, found[name] as ArrayBufferView);
+    return found[name] as T;
   };
-  check('unpacked', 'Float64Array');
-  check('indices', 'Uint32Array');
-  check('vertexMap', 'Uint32Array');
-  check('chartOfTriangle', 'Uint32Array');
-  if (needsUv) check('uv', 'Float64Array');
-  const { uv, unpacked, indices, vertexMap, chartOfTriangle, report } = known as KnownLayout;
+  const reals = (name: keyof typeof found) =>
+    new Float64Array(check<Float64Array>(name, 'Float64Array'));
+  const whole = (name: keyof typeof found) =>
+    new Uint32Array(check<Uint32Array>(name, 'Uint32Array'));
+  const number = (name: 't' | 'balance') =>
+    optionNumber(`known.report.options.${name}`, options[name], UNWRAP_OPTIONS[name]);
   return {
-    t: optionNumber('known.report.options.t', report?.options?.t, UNWRAP_OPTIONS.t),
-    balance: optionNumber(
-      'known.report.options.balance',
-      report?.options?.balance,
-      UNWRAP_OPTIONS.balance,
-    ),
-    straightSeams: report?.options?.straightSeams === true,
     arrays: {
-      ...(needsUv && uv ? { uv: new Float64Array(uv) } : {}),
-      unpacked: new Float64Array(unpacked),
-      indices: new Uint32Array(indices),
-      vertexMap: new Uint32Array(vertexMap),
-      chartOfTriangle: new Uint32Array(chartOfTriangle),
+      unpacked: reals('unpacked'),
+      indices: whole('indices'),
+      vertexMap: whole('vertexMap'),
+      chartOfTriangle: whole('chartOfTriangle'),
+      ...(needsUv && { uv: reals('uv') }),
     },
+    t: number('t'),
+    balance: number('balance'),
+    straightSeams: options.straightSeams === true,
   };
 }
+
+const OF_KNOWN = ['uv', 'unpacked', 'indices', 'vertexMap', 'chartOfTriangle', 'report'] as const;
 
 /** A copy, so that the caller's buffer stays. `what`: its elements, in words. */
 function numbers(name: string, what: string, values: unknown): Uint32Array {
@@ -294,19 +294,21 @@ const each = <T, R>(values: T[], see: (value: T | undefined, i: number) => R): R
 
 export function boundNumbers(bounds: unknown = []): number[] {
   checkArray('bounds', bounds, '{ vertex, t }');
-  return each(bounds as ({ vertex?: unknown; t?: unknown } | null)[], (bound, i) => {
-    checkIndex(`bounds[${i}].vertex`, 'vertex', bound?.vertex);
-    checkNumber(`bounds[${i}].t`, bound?.t, { range: 'above 0', above: 0 });
-    return [bound?.vertex as number, bound?.t as number];
+  return each(bounds as unknown[], (bound, i) => {
+    const { vertex, t } = fieldsOf(bound, ['vertex', 't']);
+    checkIndex(`bounds[${i}].vertex`, 'vertex', vertex);
+    checkNumber(`bounds[${i}].t`, t, { range: 'above 0', above: 0 });
+    return [vertex as number, t as number];
   }).flat();
 }
 
 export function straightNumbers(runs: unknown = []): [number, number][] {
   checkArray('straight', runs, '{ from, to }');
-  return each(runs as ({ from?: unknown; to?: unknown } | null)[], (run, i) => {
-    checkIndex(`straight[${i}].from`, 'vertex', run?.from);
-    checkIndex(`straight[${i}].to`, 'vertex', run?.to);
-    return [run?.from as number, run?.to as number];
+  return each(runs as unknown[], (run, i) => {
+    const { from, to } = fieldsOf(run, ['from', 'to']);
+    checkIndex(`straight[${i}].from`, 'vertex', from);
+    checkIndex(`straight[${i}].to`, 'vertex', to);
+    return [from as number, to as number];
   });
 }
 
@@ -323,14 +325,16 @@ const ANY_FACE = 2 ** 32 - 1;
 
 export function pinNumbers(pins: unknown = []): PinNumbers[] {
   checkArray('pins', pins, '{ vertex, uv: [u, v] }');
-  return each(pins as ({ vertex?: unknown; uv?: unknown; face?: unknown } | null)[], (pin, i) => {
-    checkIndex(`pins[${i}].vertex`, 'vertex', pin?.vertex);
-    checkArray(`pins[${i}].uv`, pin?.uv, 'two numbers');
-    const uv = pin?.uv as unknown[];
-    if (uv.length !== 2) throw invalid(`pins[${i}].uv must be an array of two numbers.`);
-    for (const [k, x] of uv.entries())
+  return each(pins as unknown[], (pin, i) => {
+    const { vertex, uv, face = ANY_FACE } = fieldsOf(pin, ['vertex', 'uv', 'face']);
+    checkIndex(`pins[${i}].vertex`, 'vertex', vertex);
+    checkArray(`pins[${i}].uv`, uv, 'two numbers');
+    const { length, 0: u, 1: v } = uv as unknown[];
+    if (length !== 2) throw invalid(`pins[${i}].uv must be an array of two numbers.`);
+    const place = [u, v];
+    for (const [k, x] of place.entries())
       checkNumber(`pins[${i}].uv[${k}]`, x, { range: 'that is finite' });
-    if (pin?.face !== undefined) checkIndex(`pins[${i}].face`, 'face', pin.face);
-    return [pin?.vertex, ...uv, pin?.face ?? ANY_FACE] as PinNumbers;
+    checkIndex(`pins[${i}].face`, 'face', face);
+    return [vertex, ...place, face] as PinNumbers;
   });
 }
