@@ -155,7 +155,7 @@ export class ResultPanels {
   stillShown(isStale: boolean): string {
     const { outcome } = this;
     if (!outcome) return '';
-    return SHOWN.stillSentence(isStale ? ownerOf(outcome) : titleOf(outcome.source));
+    return SHOWN.stillShown(isStale ? ownerOf(outcome) : titleOf(outcome.source));
   }
 
   private showLayout(outcome: Outcome, drawing: FlatDrawing): void {

@@ -26,7 +26,8 @@ export class StaleMark {
       outcome && (outcome.source !== shown || !sameSettings(outcome.settings, settings))
         ? ownerOf(outcome)
         : null;
-    if (stale !== null) this.note.textContent = SHOWN.still(stale);
+    this.note.textContent = SHOWN.previous;
+    this.note.title = stale ?? '';
     this.note.hidden = stale === null;
     this.stage.classList.toggle('stale', stale !== null);
     this.metrics.markStale(stale);

@@ -159,7 +159,8 @@ export class MetricsPanel {
    */
   markStale(owner: string | null): void {
     this.panel.classList.toggle('stale', owner !== null);
-    this.setReason(owner === null ? (this.verdict?.reason ?? '') : METRICS.of(owner));
+    if (owner === null) this.setReason(this.verdict?.reason ?? '');
+    else this.setReason(METRICS.previous, owner);
     this.showRemedy(owner === null ? (this.verdict?.remedy ?? null) : null);
   }
 
@@ -179,9 +180,9 @@ export class MetricsPanel {
     this.remedyButton.title = REMEDIES[remedy].title;
   }
 
-  private setReason(text: string): void {
+  private setReason(text: string, title = text): void {
     this.reason.textContent = text;
-    this.reason.title = text;
+    this.reason.title = title;
   }
 }
 

@@ -1,5 +1,5 @@
 import { FLATTEN_DEFAULTS, type MeshSummary, UNWRAP_DEFAULTS } from 'abflat';
-import { LAYING_OUT, RUN, SETTINGS, SHOWN } from '../base/english';
+import { LAYING_OUT, READING, RUN, SETTINGS, SHOWN } from '../base/english';
 import { inPageWords } from '../base/format';
 import type { DisplayMesh } from '../mesh/mesh';
 import { foundChart } from '../model/found-chart';
@@ -33,6 +33,13 @@ export function facesText({ indices }: DisplayMesh, { faces }: MeshSummary): str
   const triangles = indices.length / 3;
   return faces === triangles ? SHOWN.triangles(triangles) : SHOWN.polygons(faces, triangles);
 }
+
+/** Files of programs that can export glTF. */
+const SCENE = /\.(fbx|blend|dae|3ds|max|m[ab]|c4d|lwo|abc|usd[acz]?)$/i;
+
+/** What to do with a file in a format that is not read. */
+export const notSupported = (name: string): string =>
+  SCENE.test(name) ? READING.scene(name) : READING.notSupported(name);
 
 /** What went wrong as a sentence that names the mesh. */
 export function failure(source: Source, settings: Settings | null, message: string): string {
