@@ -156,8 +156,9 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
   checkKeys(options, KEYS.unwrap);
   const { seams } = options;
   if (seams !== undefined) checkString('seams', seams);
-  const { keepsPlaces = false } = options;
+  const { keepsPlaces = false, keepsValidOnly = false } = options;
   checkBoolean('keepsPlaces', keepsPlaces);
+  checkBoolean('keepsValidOnly', keepsValidOnly);
   const fixedCharts = chartNumbers(options.fixedCharts);
   const wantsUv = fixedCharts.length > 0 ? 'fixedCharts' : keepsPlaces && 'keepsPlaces';
   const known = knownArrays(options.known, wantsUv);
@@ -167,6 +168,7 @@ function unwrap(client: Client, mesh: MeshInput, options: UnwrapOptions): Promis
     seams,
     seamEdges: seamVertices(options.seamEdges),
     fixedFaces: keptFaces(options.fixedFaces),
+    keepsValidOnly,
     fixedCharts,
     keepsPlaces,
     faceDensities: densitiesOf(options.faceDensities),

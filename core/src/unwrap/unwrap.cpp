@@ -124,6 +124,7 @@ class Unwrapping {
     Result<FixedTriangles> fixed = fixedTriangles(map(), options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
+    if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
     open_ = cutOpen(
         {welded_, unit_, surface_}, {given.value, scales, fixed_}, options_, *pool_,
         [&] { return monitor_.tell(kSeams); }, report_.seams);
