@@ -1,7 +1,7 @@
 // Everything that the page's scripts say to people, by room and with the numbers and names that go into it. What is always on the page
 // is in index.html. Errors that only a developer can meet stay where they are thrown.
 
-import { type Bound, bound, count, counted, listed, measure } from './format';
+import { type Bound, bound, count, counted, ended, listed, measure } from './format';
 
 // Rooms: base, view, drawing, mesh, files, workshop, opening, export
 
@@ -71,7 +71,11 @@ export const GLTF = {
   unknownExtension: (name: string, extension: string) =>
     `${name} requires ${extension}, which this page cannot read. Save it without that extension.`,
   otherVersion: (name: string) => `${name} is not glTF 2.0. Save it as glTF 2.0 or GLB.`,
-  notJson: (name: string, reason: string) => `${name} is neither binary nor JSON: ${reason}`,
+  /** `reason` is a sentence of the browser. */
+  notJson: (name: string, reason: string) =>
+    `${name} is not a glTF file, because it is not valid JSON: ${ended(reason)} Export or download it again.`,
+  notGlb: (name: string) =>
+    `${name} is not a GLB file, because it does not begin with "glTF". Export or download it again.`,
   noTriangles: (name: string) => `${name} has no triangles, so there is nothing to unwrap.`,
   damaged: (name: string, reason: string) =>
     `${name} is damaged or too large to read (${reason}). Export or download it again.`,
@@ -214,8 +218,12 @@ export const EXPORT = {
   cancelled: 'Export cancelled',
   rounded:
     'GLB stores single precision, and rounding makes some triangles flip or overlap. OBJ keeps all digits.',
-  replaced: 'New UVs replaced TEXCOORD_0: textures painted for the old ones no longer fit.',
-  added: (texcoord: number) => `New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`,
+  replaced: (texcoord: number) => `New UVs replaced TEXCOORD_${texcoord}.`,
+  replacedPainted: (texcoord: number) =>
+    `New UVs replaced TEXCOORD_${texcoord}: textures painted for the old ones no longer fit.`,
+  added: (texcoord: number) => `New UVs are in TEXCOORD_${texcoord}.`,
+  addedToPainted: (texcoord: number) =>
+    `New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`,
 };
 
 /** Files that were saved. */
@@ -391,7 +399,12 @@ export const VALIDITY = { valid: 'valid', notValid: 'not valid', column: 'Valid'
 /** What runs in a tab of the details. */
 export const TAB_JOBS = { stop: 'Stop', stopped: 'Stopped', starting: 'Starting' };
 
-export const BADGES = { valid: 'Valid', stretched: 'Stretched', notValid: 'Not valid' } as const;
+export const BADGES = {
+  valid: 'Valid',
+  stretched: 'Stretched',
+  notValid: 'Not valid',
+  none: 'No result',
+} as const;
 
 /** Why a result has its badge. */
 export const VERDICT = {
@@ -482,6 +495,7 @@ export const METRICS = {
   toWorst: (title: string) => `${title}. Click to see where it is worst`,
   notes: (n: number) => counted(n, 'note'),
   previous: 'Figures of the previous layout',
+  ofResult: "Figures of abflat's layout",
 };
 
 /** The notes on an atlas; `places` name faces or edges. */
@@ -720,7 +734,7 @@ export const RUN = {
   tryAgain: 'Try again',
   /** `done`: what was not; null: the mesh was not opened. */
   failed: (title: string, done: string | null, why: string) =>
-    `${title} was not ${done === null ? 'opened' : done.toLowerCase()}: ${why}.`,
+    `${title} was not ${done === null ? 'opened' : done.toLowerCase()}: ${ended(why)}`,
 };
 
 /** What is on screen. */
@@ -739,6 +753,7 @@ export const SHOWN = {
   },
   owner: (title: string, settings: string) => `${title}, ${settings}`,
   previous: 'Previous layout',
+  noLayout: 'No layout yet',
   stillShown: (what: string) => `Still showing ${what}.`,
   comparison: (method: string) => `Comparison, not exported: ${method}`,
   noMaterials: (name: string) =>
@@ -762,14 +777,13 @@ export const READING = {
   },
   /** `reason` is a sentence of the browser. */
   unreadable: (name: string, reason: string) =>
-    `${name} cannot be read (${reason}) Choose the file again.`,
+    `${name} cannot be read. ${ended(reason)} Choose the file again.`,
 };
 
 /** Why nothing is saved. */
 export const SAVING = {
   notDrawn: 'Nothing is drawn, so there is no picture',
-  failed: (title: string, message: string) =>
-    `${title} was not saved: ${message.replace(/\.$/, '')}.`,
+  failed: (title: string, message: string) => `${title} was not saved: ${ended(message)}`,
   cameOutDifferently: 'This run gave a different layout. Unwrap again, then export.',
 };
 
@@ -780,7 +794,7 @@ export const VISIT = {
   tooLarge: 'Your last mesh was too large to keep. Open it again.',
   unreadable: 'Your last visit could not be restored.',
   notRestored: (title: string, message: string) =>
-    `${title} could not be restored from your last visit: ${message.replace(/\.$/, '')}.`,
+    `${title} could not be restored from your last visit: ${ended(message)}`,
   notOffered: (words: string) => `The link asks for ${words}, which this page does not offer.`,
 };
 

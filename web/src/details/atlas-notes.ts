@@ -1,6 +1,6 @@
 import type { RepairReport, UnwrapReport } from 'abflat';
 import { ATLAS_NOTES } from '../base/english';
-import { sentence } from '../base/format';
+import { ended, sentence } from '../base/format';
 
 /** The most places to name before the list gets too long. */
 const NAMED = 3;
@@ -17,7 +17,7 @@ export function atlasNotes(report: UnwrapReport): string[] {
     ...report.notes,
     ...fallbacks(report),
   ];
-  return all.map((note) => `${sentence(note).replace(/\.$/, '')}.`);
+  return all.map((note) => ended(sentence(note)));
 }
 
 function problems({ charts }: UnwrapReport): string[] {

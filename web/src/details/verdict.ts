@@ -7,7 +7,7 @@ import type { Outcome, Unwrapped } from '../model/model';
 export type Remedy = 'cut' | 'unwrap';
 
 export interface Verdict {
-  badge: (typeof BADGES)[keyof typeof BADGES];
+  badge: (typeof BADGES)[Exclude<keyof typeof BADGES, 'none'>];
   /** One sentence on why. */
   reason: string;
   /** What the user can do about it; null if no single click helps. */

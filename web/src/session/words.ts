@@ -1,6 +1,6 @@
 import { FLATTEN_DEFAULTS, type MeshSummary, UNWRAP_DEFAULTS } from 'abflat';
 import { LAYING_OUT, READING, RUN, SETTINGS, SHOWN } from '../base/english';
-import { inPageWords } from '../base/format';
+import { ended, inPageWords } from '../base/format';
 import type { DisplayMesh } from '../mesh/mesh';
 import { foundChart } from '../model/found-chart';
 import type { Flattened, Outcome, Source } from '../model/model';
@@ -43,8 +43,8 @@ export const notSupported = (name: string): string =>
 
 /** What went wrong as a sentence that names the mesh. */
 export function failure(source: Source, settings: Settings | null, message: string): string {
-  const text = inPageWords(message).replace(/\.$/, '');
-  if (text.includes(source.name)) return `${text}.`;
+  const text = inPageWords(message);
+  if (text.includes(source.name)) return ended(text);
   return RUN.failed(titleOf(source), settings && LAYING_OUT[settings.mode].done, text);
 }
 
