@@ -318,7 +318,6 @@ TEST_CASE("of islands that overlap, those that overlap no larger one stay", "[fi
     }
     const UnwrapResult r = unwrapped(mesh, options);
     CHECK(r.report.valid);
-    CHECK(complaintOf(r) == "");
     const auto fixed = static_cast<std::size_t>(
         std::count_if(r.report.charts.begin(), r.report.charts.end(),
                       [](const UnwrapChart& chart) { return chart.fixed; }));
