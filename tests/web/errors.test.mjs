@@ -52,6 +52,7 @@ async function isEmpty(page) {
 
 /** Nothing beside the mesh on screen is of the one before. */
 async function assertNoLayout(page) {
+  await page.locator('#layout-note').waitFor();
   assert.equal(await textOf(page, '#layout-note'), 'No layout yet');
   assert.equal(await textOf(page, '#badge'), 'No result');
   assert.equal(await page.getAttribute('#badge', 'class'), 'badge');
