@@ -217,7 +217,7 @@ test('missing files are listed in a sentence', async () => {
   assert.equal(listed(['a', 'b', 'c', 'd']), 'a, b, c and d');
   assert.equal(listed(['a', 'b', 'c', 'd', 'e']), 'a, b, c and 2 more');
   assert.deepEqual(remarksOn('m.obj', ['a.png', 'b.png', 'a.png'], ['c.tga']), [
-    'm.obj names a.png and b.png, which are missing: drop them together with the mesh.',
+    'Textures not shown: a.png and b.png not found. UVs are unaffected. Drop them together with m.obj to see them.',
     'This browser cannot decode c.tga: save it as PNG or JPEG.',
   ]);
   assert.deepEqual(remarksOn('m.obj', [], []), []);

@@ -64,7 +64,7 @@ test('a gesture follows the pointer, an axis, steps, arrows and numbers', async 
   isNear(turn({ typed: '-30' }), -30);
   isNear(turn({ nudge: [0, 2] }), 2, 'up is counterclockwise');
   isNear(turn({ nudge: [2, 0] }), -2, 'right is clockwise');
-  assert.equal(textOf(gesture({ kind: 'turn', typed: '45' })), 'Turn 45°');
+  assert.equal(textOf(gesture({ kind: 'turn', typed: '45' })), 'Rotate 45°');
 
   const scale = (some) => motionOf(gesture({ kind: 'scale', ...some })).a;
   isNear(scale({ to: [0.5, 0.7] }), 2);

@@ -115,7 +115,7 @@ test('G, R and S move, turn and scale by pointer, arrows and numbers; Escape put
   assert.match(await gesture(), /^Chart/);
 
   await press('r', '9', '0');
-  assert.equal(await gesture(), 'Turn 90°');
+  assert.equal(await gesture(), 'Rotate 90°');
   await press('Enter');
   await placed(page);
   await press('s', '0', '.', '5', 'Enter');
@@ -133,7 +133,7 @@ test('G, R and S move, turn and scale by pointer, arrows and numbers; Escape put
   await page.click('#tab-history');
   assert.deepEqual(
     (await page.locator('#history .step').allInnerTexts()).map((text) => text.split(' ')[0]),
-    ['Open', 'Moved', 'Moved', 'Turned', 'Scaled'],
+    ['Open', 'Moved', 'Moved', 'Rotated', 'Scaled'],
   );
 });
 

@@ -38,7 +38,7 @@ test('settings with other bounds are others, and the history names them', () => 
   assert.ok(sameSettings({ ...DISK, bounds }, { ...DISK, bounds }));
   assert.ok(sameSettings(DISK, { ...DISK, bounds: undefined }));
   assert.equal(changeBetween(DISK, { ...DISK, bounds }).text, 'Bounds of 2 vertices');
-  assert.equal(changeBetween({ ...DISK, bounds }, DISK).text, 'No own bounds');
+  assert.equal(changeBetween({ ...DISK, bounds }, DISK).text, 'No painted bounds');
 });
 
 test('a visit keeps bounds, a link does not', () => {

@@ -133,7 +133,7 @@ for (const view of ['mesh', 'layout'])
     assert.match(await textOf(page, '#run-text'), /^Flattened in .*; 1 own bound$/);
     assert.match(await textOf(page, '#marks'), /1 vertex has its own bound/);
     assert.doesNotMatch(await textOf(page, '#marks'), /tightened/);
-    assert.match(await history(page), /Painted bounds of 1 vertex/);
+    assert.match(await history(page), /Painted the bounds of 1 vertex/);
     assert.ok((await largestAngle(page)) < 1.2, 'the corner is straight');
     await page.click('#undo');
     await settled(page);
@@ -151,7 +151,7 @@ test('Alt and Erase take bounds away, Clear all of them', async (t) => {
   await page.click('#bound-clear');
   await settled(page);
   assert.ok(await page.isHidden('#bound-clear'));
-  assert.match(await history(page), /Cleared all own bounds/);
+  assert.match(await history(page), /Cleared all painted bounds/);
   for (const erase of [
     async () => {
       await page.keyboard.down('Alt');
@@ -168,12 +168,12 @@ test('Alt and Erase take bounds away, Clear all of them', async (t) => {
     assert.match(await textOf(page, '#run-text'), /; 1 own bound$/);
     await erase();
     assert.doesNotMatch(await textOf(page, '#run-text'), /own bound/);
-    assert.match(await history(page), /Erased bounds of 1 vertex/);
+    assert.match(await history(page), /Erased the bounds of 1 vertex/);
   }
   await page.keyboard.down('Alt');
   await stroke(page, 'mesh');
   await page.keyboard.up('Alt');
-  assert.equal(await textOf(page, '#run-text'), 'No bound has changed');
+  assert.equal(await textOf(page, '#run-text'), 'No bounds changed');
 });
 
 test('with the brush, a drag away from the boundary turns the view and paints nothing', async (t) => {

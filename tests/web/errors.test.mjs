@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import {
   choose,
+  drawn,
   drop,
   dropAndWait,
   exportMesh,
@@ -33,7 +34,38 @@ test('a broken file is refused with a sentence, the open mesh stays', async (t) 
   assert.equal(await textOf(page, '#alert'), '');
 });
 
-test('a mesh that cannot be laid out is shown, the layout is marked as the previous one', async (t) => {
+/** Whether the view of the layout has a single colour, apart from the corner with its note. */
+async function isEmpty(page) {
+  await drawn(page);
+  const { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
+  const clip = { x: x + width / 4, y: y + height / 4, width: width / 2, height: height / 2 };
+  const png = [...(await page.screenshot({ clip }))];
+  return page.evaluate(async (png) => {
+    const picture = await createImageBitmap(new Blob([Uint8Array.from(png)]));
+    const { width, height } = picture;
+    const copy = new OffscreenCanvas(width, height).getContext('2d');
+    copy.drawImage(picture, 0, 0);
+    const pixels = new Uint32Array(copy.getImageData(0, 0, width, height).data.buffer);
+    return pixels.every((pixel) => pixel === pixels[0]);
+  }, png);
+}
+
+/** Nothing beside the mesh on screen is of the one before. */
+async function assertNoLayout(page) {
+  await page.locator('#layout-note').waitFor();
+  assert.equal(await textOf(page, '#layout-note'), 'No layout yet');
+  assert.equal(await textOf(page, '#badge'), 'No result');
+  assert.equal(await page.getAttribute('#badge', 'class'), 'badge');
+  assert.equal(await textOf(page, '#reason'), '');
+  assert.equal(await textOf(page, '#layout-info'), '');
+  assert.deepEqual(new Set(Object.values(await metrics(page))), new Set(['\u2013']));
+  for (const id of ['export', 'export-formats', 'copy-report', 'layout-png', 'pack-again'])
+    assert.ok(await page.isDisabled(`#${id}`), id);
+  assert.equal(await page.locator('#charts tbody tr').count(), 0);
+  assert.ok(await isEmpty(page), 'nothing is drawn');
+}
+
+test('a mesh that cannot be laid out is shown without the layout of the one before', async (t) => {
   const page = await openPage(t, { open: ['waves.obj', grid(4)] });
   // No face has three distinct corners.
   await dropAndWait(page, 'needle.obj', 'v 0 0 0\nv 1 0 0\nf 1 2 2\nf 2 1 1\n');
@@ -42,15 +74,32 @@ test('a mesh that cannot be laid out is shown, the layout is marked as the previ
   assert.match(alert, /needle\.obj/);
   assert.match(alert, /corners/);
   assert.equal(await textOf(page, '#mesh-info'), '2 triangles');
-  await page.locator('#layout-note').waitFor();
-  assert.match(await textOf(page, '#layout-note'), /waves\.obj/);
-  assert.match(await textOf(page, '#reason'), /waves\.obj/);
-  assert.ok(await page.isDisabled('#export'), 'what is on screen has no layout to export');
+  await assertNoLayout(page);
+  assert.doesNotMatch(await textOf(page, '#alert'), /waves/);
 
   await dropAndWait(page, 'again.obj', grid(4));
   assert.equal(await textOf(page, '#alert'), '');
   assert.ok(await page.isHidden('#layout-note'));
   assert.ok(await page.isEnabled('#export'));
+});
+
+test('a mesh whose unwrapping is cancelled is shown without the layout of the one before', async (t) => {
+  const page = await openPage(t, { open: ['waves.obj', grid(4)] });
+  assert.ok(!(await isEmpty(page)));
+  await page.evaluate(() => {
+    const source = document.querySelector('#source');
+    new MutationObserver(() => document.querySelector('#cancel').click()).observe(source, {
+      childList: true,
+    });
+  });
+  await dropAndWait(page, 'other.obj', grid(40));
+  assert.equal(await textOf(page, '#run-text'), 'Cancelled');
+  await assertNoLayout(page);
+  await page.click('#again');
+  await settled(page);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.ok(!(await isEmpty(page)));
+  assert.ok(await page.isHidden('#layout-note'));
 });
 
 test('an impossible t is refused, the layout of the last one stays', async (t) => {
@@ -61,8 +110,8 @@ test('an impossible t is refused, the layout of the last one stays', async (t) =
   await settled(page);
   assert.match(await textOf(page, '#alert'), /0\.93/);
   await page.locator('#layout-note').waitFor();
-  assert.match(await textOf(page, '#layout-note'), /^Still showing waves\.obj, t = auto$/);
-  assert.equal(await textOf(page, '#export'), 'Export earlier OBJ');
+  assert.equal(await textOf(page, '#layout-note'), 'Previous layout');
+  assert.equal(await textOf(page, '#export'), 'Export last layout');
   assert.match(await page.getAttribute('#export', 'title'), /waves\.obj, t = auto$/);
   assert.equal((await exportMesh(page)).name, 'waves-uv.obj');
   assert.match(await textOf(page, '#run-text'), /^Exported waves-uv\.obj, .*, t = auto$/);

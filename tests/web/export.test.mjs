@@ -172,5 +172,8 @@ test('where the clipboard is refused, the page says what to do', async (t) => {
   });
   await page.click('#copy-report');
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
-  assert.match(await textOf(page, '#alert'), /^Nothing was copied: .*\s+Allow it in the settings/);
+  assert.match(
+    await textOf(page, '#alert'),
+    /^Nothing was copied: .*\s+Allow it in the site settings/,
+  );
 });

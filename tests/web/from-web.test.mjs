@@ -111,15 +111,15 @@ test('what goes wrong is said in one sentence: what, where, and what to do', asy
     prepare: (page) => play(page, files),
   });
   for (const [path, pattern] of [
-    ['/none.obj', /^There is no none\.obj at models\.example \(404\)\. Check the address\./],
+    ['/none.obj', /^models\.example has no none\.obj \(404\)\. Check the address\./],
     ['/empty.obj', /^empty\.obj at models\.example is empty\./],
     [
       '/closed.obj',
-      /^closed\.obj was not fetched from models\.example: .*CORS\)\. Download the file/,
+      /^closed\.obj could not be fetched from models\.example: .*CORS\)\. Download the file/,
     ],
-    ['/private.obj', /^models\.example does not give private\.obj to everybody \(403\)\./],
+    ['/private.obj', /^models\.example requires you to sign in for private\.obj \(403\)\./],
     ['/broken.obj', /^models\.example did not send broken\.obj \(500\)\. Try again later/],
-    ['/page', /^models\.example answered with a web page in place of page\./],
+    ['/page', /^models\.example sent a web page instead of page\./],
   ]) {
     await follow(page, HOST + path);
     await settled(page);
@@ -134,7 +134,7 @@ test('only https is fetched, other than from the server of the page', async (t) 
   const page = await openPage(t);
   for (const [address, pattern] of [
     ['http://models.example/a.obj', /only https addresses are/],
-    ['https://me:secret@models.example/a.obj', /holds a password/],
+    ['https://me:secret@models.example/a.obj', /contains a password/],
     ['data:text/plain,v', /only https/],
     ['https://', /is not an address/],
   ]) {

@@ -138,8 +138,38 @@ test('uv that textures use stay as they are unless the user wants them replaced'
 
   for (const material of document.getRoot().listMaterials()) material.setBaseColorTexture(null);
   await dropAndWait(page, 'untextured.glb', await io.writeBinary(document));
-  assert.ok(await page.isHidden('#texcoord'), 'no texture needs the old ones');
+  const sets = () => page.locator('#texcoord option').allInnerTexts();
+  assert.deepEqual(await sets(), ['UV 1, new', 'UV 0, replaced']);
+  assert.equal(await page.inputValue('#texcoord'), '0', 'no texture needs the old ones');
   assert.deepEqual(flaws(atlasOf(primitivesOf((await exported(page)).document))), []);
+  assert.match(await textOf(page, '#run-text'), /^New UVs replaced TEXCOORD_0\. Exported/);
+});
+
+test('each texcoord set of a glTF can be replaced, and a new one added', async (t) => {
+  const page = await openPage(t);
+  let document = scene(1);
+  for (const material of document.getRoot().listMaterials()) material.setBaseColorTexture(null);
+  await dropAndWait(page, 'none.glb', await io.writeBinary(document));
+  assert.ok(await page.isHidden('#texcoord'), 'there is nothing to choose');
+  document = (await exported(page)).document;
+  for (const [set, replaced, said] of [
+    [1, ['UV 0'], 'New UVs are in TEXCOORD_1.'],
+    [2, ['UV 0', 'UV 1'], 'New UVs are in TEXCOORD_2.'],
+    [1, ['UV 0', 'UV 1', 'UV 2'], 'New UVs replaced TEXCOORD_1.'],
+  ]) {
+    await dropAndWait(page, `${replaced.length}.glb`, await io.writeBinary(document));
+    const [, ...others] = await page.locator('#texcoord option').allInnerTexts();
+    assert.deepEqual(
+      others,
+      replaced.map((name) => `${name}, replaced`),
+    );
+    await page.selectOption('#texcoord', String(set));
+    const { document: written } = await exported(page);
+    assertSameButTexcoord(written, document, `TEXCOORD_${set}`);
+    assert.deepEqual(flaws(atlasOf(primitivesOf(written), { texcoord: set })), []);
+    assert.ok((await textOf(page, '#run-text')).startsWith(said));
+    document = written;
+  }
 });
 
 test('a glTF of several files, dropped together or not', async (t) => {
@@ -189,14 +219,24 @@ test('what cannot be read is said in a sentence with its name', async (t) => {
       JSON.stringify({ ...json, buffers: [], images: [], ...required }),
       /a\.gltf requires A_future_one, which this page cannot read\. Save it without/,
     ],
-    ['c.gltf', 'nonsense', /c\.gltf is neither binary nor JSON/],
+    [
+      'c.gltf',
+      'nonsense',
+      /^c\.gltf is not a glTF file, because it is not valid JSON: [^:]*\. Export/,
+    ],
     ['d.glb', await io.writeBinary(emptyDocument()), /d\.glb has no triangles/],
     [
       'e.glb',
       (await io.writeBinary(scene(1))).slice(0, 300),
-      /e\.glb is truncated: 300 of [\d,]+ b/,
+      /e\.glb is truncated: it has only 300 of [\d,]+ b/,
     ],
-    ['f.glb', 'glTF', /f\.glb is truncated: 4 of 12 bytes/],
+    ['empty.glb', '', /^empty\.glb is empty\.$/],
+    [
+      'words.glb',
+      'nonsense',
+      /^words\.glb is not a GLB file, because it does not begin with "glTF"\. /,
+    ],
+    ['f.glb', 'glTF', /f\.glb is truncated: it has only 4 of 12 bytes/],
     ['g.gltf', '{"asset":{"version":"1.0"},"buffers":{}}', /g\.gltf is not glTF 2\.0\. Save it as/],
     ['h.gltf', '[1, 2]', /h\.gltf is not glTF 2\.0\. Save it as/],
     ['i.gltf', 'null', /i\.gltf is not glTF 2\.0\. Save it as/],
@@ -204,6 +244,8 @@ test('what cannot be read is said in a sentence with its name', async (t) => {
     ['k.glb', chunk, /k\.glb is damaged or too large to read \(.*\)\. Export or download/],
   ]) {
     await dropAndWait(page, name, content);
-    assert.match(await textOf(page, '#alert'), pattern);
+    const alert = await page.locator('#alert p').first().innerText();
+    assert.match(alert, pattern);
+    assert.doesNotMatch(alert, /[.?!][.?!]/, 'it ends once');
   }
 });

@@ -31,9 +31,9 @@ test('every shading paints both views, and heat maps say what their colours mean
   let before = plain;
   for (const [shading, title, low, high] of [
     ['grid'],
-    ['angle', 'Angle error', /^0\s%$/, /^25\s% and more$/],
-    ['area', 'Area', /^×0\.50 and less$/, /^×2\.00 and more$/],
-    ['stretch', 'Stretch', /^1\.00$/, /^1\.30 and more$/],
+    ['angle', 'Angle error', /^0\s%$/, /^25\s% or more$/],
+    ['area', 'Area', /^×0\.50 or less$/, /^×2\.00 or more$/],
+    ['stretch', 'Stretch', /^1\.00$/, /^1\.30 or more$/],
   ]) {
     await page.selectOption('#shading', shading);
     const now = await pictures(page);
@@ -76,7 +76,7 @@ test('a bar of the histogram lights its triangles, and the button the worst', as
   await page.keyboard.press('Enter');
   assert.equal(await page.locator('.legend-column').nth(1).getAttribute('aria-pressed'), 'true');
   await page.keyboard.press('End');
-  assert.match(await textOf(page, '#legend-said'), /^Stretch 1\.29 and more: /);
+  assert.match(await textOf(page, '#legend-said'), /^Stretch 1\.29 or more: /);
 });
 
 test('the shading stays with the next mesh, with a histogram of its own', async (t) => {

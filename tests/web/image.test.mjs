@@ -266,14 +266,8 @@ test('an image that cannot be shown is named, and the last one stays', async (t)
   const page = await openPage(t, { ...STILL, open: BALL });
   await dropImage(page, 'red.png', oneColor(RED));
   for (const [name, sentence] of [
-    [
-      'torn.png',
-      'torn.png cannot be shown, because it is damaged or too large. Save it again as PNG, JPEG or WebP.',
-    ],
-    [
-      'wall.tga',
-      'wall.tga cannot be shown, because this browser does not decode its format. Save it as PNG, JPEG or WebP.',
-    ],
+    ['torn.png', 'torn.png is damaged or too large to show. Save it again as PNG, JPEG or WebP.'],
+    ['wall.tga', 'This browser cannot decode wall.tga. Save it as PNG, JPEG or WebP.'],
   ]) {
     await dropFiles(page, { [name]: 'no picture' });
     await page.waitForFunction(
@@ -301,7 +295,7 @@ test('an image that is too large is scaled down; of several, one is shown', asyn
   const number = (n) => n.toLocaleString('en-US');
   assert.equal(
     await textOf(page, '#notice p'),
-    `You chose 2 images. wide.png is shown. wide.png has ${number(2 * most)} × 4 pixels, more than your graphics card takes. It is shown with ${number(most)} × 2.`,
+    `You chose 2 images. wide.png is shown. wide.png is ${number(2 * most)} × 4 pixels, more than your graphics card supports. It is shown at ${number(most)} × 2.`,
   );
   assertColor(await colorAt(page, 0.02, 0.98), RED, 4, 'left');
   assertColor(await colorAt(page, 0.98, 0.98), BLUE, 4, 'right');

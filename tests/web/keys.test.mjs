@@ -121,11 +121,11 @@ test('Bounds: each key does what the sheet says', async (t) => {
     },
     Enter: async () => {
       await page.keyboard.press('Enter');
-      await says(/^There is no boundary here$/);
+      await says(/^No boundary here$/);
     },
     Space: async () => {
       await page.keyboard.press('Space');
-      await says(/^There is no boundary here$/);
+      await says(/^No boundary here$/);
     },
     // Painted and erased in bounds.test.mjs.
     Alt: async () => undefined,

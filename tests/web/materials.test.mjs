@@ -219,11 +219,11 @@ test('an OBJ of polygons has the materials of its MTL, once all files are there'
   await page.waitForFunction(() => document.querySelector('#notice').textContent !== '');
   assert.match(
     await textOf(page, '#notice p'),
-    /^other\.obj names four\.png, which is missing: drop it together with the mesh\.$/,
+    /^Textures not shown: four\.png not found\. .* Drop it together with other\.obj to see it\.$/,
   );
   await dropAndWait(page, 'lonely.obj', paintedObj());
   await page.waitForFunction(() => document.querySelector('#notice').textContent !== '');
-  assert.match(await textOf(page, '#notice p'), /^lonely\.obj names square\.mtl, which is missing/);
+  assert.match(await textOf(page, '#notice p'), /^Materials not shown: square\.mtl not found\./);
 });
 
 test('an image that no browser decodes is named', async (t) => {

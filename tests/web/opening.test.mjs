@@ -81,7 +81,7 @@ test('what is no mesh, has no faces or is no image leaves the mesh that is open'
   const page = await openPage(t, { open: ['waves.obj', grid(4)] });
   const before = await metrics(page);
   for (const [name, content, reason] of [
-    ['cat.png', 'meow', /^cat\.png cannot be shown, because it is damaged/],
+    ['cat.png', 'meow', /^cat\.png is damaged or too large to show/],
     ['cat.mtl', 'newmtl cat\n', /^cat\.mtl is not a mesh\./],
     ['empty.obj', '', /^empty\.obj is empty\./],
     ['words.obj', '# a cube\n', /^words\.obj contains no mesh \(no v or f lines\)\.(\n|$)/],

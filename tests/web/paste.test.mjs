@@ -61,7 +61,7 @@ test('the files that a mesh names are found in its folder, each once', () => {
         mesh,
         Array.from({ length: 300 }, (_, i) => `${i}.png`),
       ),
-    /names 300 other files/,
+    /refers to 300 other files/,
   );
   assert.deepEqual(namedByObj('mtllib a.mtl b c.mtl\nv 0 0 0\n mtllib d#1.mtl\n'), [
     'a.mtl',

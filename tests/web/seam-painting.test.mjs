@@ -211,7 +211,7 @@ test('with Join or Alt a stroke erases edge by edge', async (t) => {
   }
   await page.click('#seam-join');
   await paintWithCtrl(page, [1, 1], [1, 5]);
-  assert.equal(await says(page), 'There is no seam under this stroke');
+  assert.equal(await says(page), 'No seam under this stroke');
 });
 
 test('seams that charts need are not erased', async (t) => {

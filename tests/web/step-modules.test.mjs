@@ -26,8 +26,8 @@ test('undo and redo go through the steps, and a change drops those that were und
   steps.change(atlas({ padding: 4 }));
   assert.equal(shown.mock.callCount(), before + 1);
   steps.change(atlas({ padding: 4, resolution: 512 }));
-  steps.change(atlas({ padding: 4, resolution: 512 }), 'Packed again');
-  assert.deepEqual(texts(steps), ['Open', 'Padding 4', 'Resolution 512\u202fpx', 'Packed again']);
+  steps.change(atlas({ padding: 4, resolution: 512 }), 'Repacked');
+  assert.deepEqual(texts(steps), ['Open', 'Padding 4', 'Resolution 512\u202fpx', 'Repacked']);
   assert.equal(steps.go(3), null, 'it is there already');
   assert.equal(steps.go(7), null, 'there is no such step');
   assert.equal(steps.go(1).settings.padding, 4);
@@ -116,7 +116,7 @@ test('changes are named by what differs', async () => {
   assert.equal(named({ rotate: false }), 'Rotation off');
   assert.equal(named({ texelDensity: 3 }), 'Texel density 3');
   assert.equal(named({ fillHoles: 'never' }), 'Fill holes never');
-  assert.equal(named({}), 'Packed again');
+  assert.equal(named({}), 'Repacked');
   const disk = { mode: 'flatten', t: 1, balance: 0, delaunay: false };
   assert.equal(changeBetween(atlas(), disk).text, 'Flatten');
   assert.equal(changeBetween(disk, { ...disk, t: 'auto' }).text, 'Boundary t auto');

@@ -147,7 +147,7 @@ test('what cannot be restored is dropped, and said once', async (t) => {
   await showsSample(/^waves\.obj could not be restored from your last visit: .*\./);
   // As a crash leaves it.
   await page.evaluate(() => localStorage.setItem('abflat-visit', 'restoring'));
-  await showsSample(/was not opened again, because the page stopped while opening it\./);
+  await showsSample(/was not reopened, because the page stopped while opening it\./);
   assert.equal(await mark(page), 'kept');
 });
 

@@ -8,7 +8,10 @@ import { dropAndWait, openPage, openSample, settled } from './page.mjs';
 test('a first visit is told what this is, until a mesh of its own was opened', async (t) => {
   const page = await openPage(t);
   const welcome = page.locator('#welcome');
-  assert.match(await welcome.innerText(), /^abflat lays a 3D mesh flat.*OBJ.*GLB.*sample\.$/s);
+  assert.match(
+    await welcome.innerText(),
+    /^Unwrap a 3D model for texturing\. .*OBJ.*GLB.*sample\.$/s,
+  );
   await openSample(page, 'hemisphere');
   assert.ok(await welcome.isVisible(), 'a sample is not of their own');
   await dropAndWait(page, 'nothing.obj', 'v 0 0 0\n');

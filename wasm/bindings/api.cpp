@@ -134,6 +134,11 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedFaces(Job* job, std::size_t count
 /// Makes all faces that have texcoords keep them.
 EMSCRIPTEN_KEEPALIVE void abflatKeepUv(Job* job) { job->keepsUv = true; }
 
+/// Unwraps islands that cannot keep their texcoords, instead of an error.
+EMSCRIPTEN_KEEPALIVE void abflatKeepsValidOnly(Job* job) {
+  job->unwrapOptions.keepsValidOnly = true;
+}
+
 /// Buffer for charts of a known layout that stay where they are.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t count) {
   job->unwrapOptions.fixedCharts.resize(count);

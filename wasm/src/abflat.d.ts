@@ -16,6 +16,7 @@ export interface NativeModule {
   _abflatSeamEdges(job: number, count: number): number;
   _abflatFixedFaces(job: number, count: number): number;
   _abflatKeepUv(job: number): void;
+  _abflatKeepsValidOnly(job: number): void;
   _abflatFixedCharts(job: number, count: number): number;
   _abflatFaceDensities(job: number, count: number): number;
   _abflatKeepsPlaces(job: number): void;

@@ -157,8 +157,9 @@ function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<
   const options = knownOptions(given, KEYS.unwrap);
   const { seams } = options;
   if (seams !== undefined) checkString('seams', seams);
-  const { keepsPlaces = false } = options;
+  const { keepsPlaces = false, keepsValidOnly = false } = options;
   checkBoolean('keepsPlaces', keepsPlaces);
+  checkBoolean('keepsValidOnly', keepsValidOnly);
   const fixedCharts = chartNumbers(options.fixedCharts);
   const wantsUv = fixedCharts.length > 0 ? 'fixedCharts' : keepsPlaces && 'keepsPlaces';
   const known = knownArrays(options.known, wantsUv);
@@ -168,6 +169,7 @@ function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<
     seams,
     seamEdges: seamVertices(options.seamEdges),
     fixedFaces: keptFaces(options.fixedFaces),
+    keepsValidOnly,
     fixedCharts,
     keepsPlaces,
     faceDensities: densitiesOf(options.faceDensities),

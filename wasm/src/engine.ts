@@ -167,7 +167,7 @@ export class Engine {
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
     const { values, seams, seamEdges, fixedFaces, fixedCharts, keepsPlaces, known } = request;
-    const { faceDensities } = request;
+    const { faceDensities, keepsValidOnly } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
@@ -176,6 +176,7 @@ export class Engine {
         this.#heap.writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
         if (fixedFaces === 'uv') native._abflatKeepUv(job);
         else this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
+        if (keepsValidOnly) native._abflatKeepsValidOnly(job);
         this.#heap.writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
         if (keepsPlaces) native._abflatKeepsPlaces(job);
         if (faceDensities) this.#heap.writeDensities(job, faceDensities);

@@ -281,13 +281,14 @@ export class App implements SessionEvents {
   cancelled(): void {
     this.visit.giveUp();
     this.meshes.showOpenSample();
-    // Without a mesh there is nothing to do again.
     const isStale = this.result.markStale();
-    this.finish(
-      RUN.cancelled,
-      this.meshes.shown !== null && (isStale || this.result.outcome === null),
-    );
+    this.finish(RUN.cancelled, this.isUnfinished(isStale));
     this.saving.name(isStale);
+  }
+
+  /** Whether the mesh on screen has no layout, or one of other settings. */
+  private isUnfinished(isStale: boolean): boolean {
+    return this.meshes.shown !== null && (isStale || this.result.outcome === null);
   }
 
   failed(source: Source, settings: Settings | null, error: Error): void {
@@ -300,7 +301,7 @@ export class App implements SessionEvents {
     const details = [isLost ? error.detail : '', this.result.stillShown(isStale)];
     showAlert(failure(source, settings, error.message), details.filter(Boolean).join(' '));
     this.meshes.showOpenSample();
-    if (settings === null) this.finish(RUN.notOpened(titleOf(source)), isStale);
+    if (settings === null) this.finish(RUN.notOpened(titleOf(source)), this.isUnfinished(isStale));
     else this.finish(RUN.notLaidOut(LAYING_OUT[settings.mode].done), false);
     if (isLost) this.offer(source, settings);
     this.saving.name(isStale);

@@ -88,7 +88,7 @@ export class ResultPanels {
     });
   }
 
-  /** The last result. */
+  /** The last result of the mesh on screen; null if there is none yet. */
   get outcome(): Outcome | null {
     return this.last?.outcome ?? null;
   }
@@ -118,11 +118,23 @@ export class ResultPanels {
   /** Another mesh is on screen; it has no result yet. */
   open(source: Source): void {
     this.shown = source;
+    this.clear();
     this.sweep.clear();
     this.use(this.wishes.disk);
     this.methods.clear();
     this.wishes.bound.setBoundaryVertices(null);
     this.markStale();
+  }
+
+  /** Nothing of the mesh before stays beside the one on screen. */
+  private clear(): void {
+    this.last = null;
+    this.views?.clearLayout();
+    element('layout-info', HTMLElement).textContent = '';
+    this.metrics.clear();
+    this.copyReport.clear();
+    this.charts.clear();
+    this.solver.clear();
   }
 
   /** Other settings are wanted. With another t alone, the plot against t stays as it is. */
@@ -155,7 +167,7 @@ export class ResultPanels {
   stillShown(isStale: boolean): string {
     const { outcome } = this;
     if (!outcome) return '';
-    return SHOWN.stillSentence(isStale ? ownerOf(outcome) : titleOf(outcome.source));
+    return SHOWN.stillShown(isStale ? ownerOf(outcome) : titleOf(outcome.source));
   }
 
   private showLayout(outcome: Outcome, drawing: FlatDrawing): void {

@@ -1,6 +1,6 @@
 import type { Comparison, MethodResult } from 'abflat';
 import { element } from './base/dom';
-import { SHOWN } from './base/english';
+import { METRICS, SHOWN } from './base/english';
 import type { MetricsPanel } from './details/metrics';
 import type { Outcome } from './model/model';
 import { ownerOf } from './stale-mark';
@@ -30,7 +30,7 @@ export class ShownMethod {
     const drawing = await this.workshop.layout(layout, outcome.mesh, null);
     if (this.method !== method || !isStill()) return;
     this.note.hidden = false;
-    this.metrics.markStale(ownerOf(outcome));
+    this.metrics.mark({ text: METRICS.ofResult, owner: ownerOf(outcome) });
     this.views?.showFlat(drawing, { ...method, bounds: [], delaunay: null });
     element('layout-info', HTMLElement).textContent = method.title;
     element('method-note-text', HTMLElement).textContent = SHOWN.comparison(method.title);
@@ -40,6 +40,6 @@ export class ShownMethod {
   hide(): void {
     this.method = null;
     this.note.hidden = true;
-    this.metrics.markStale(null);
+    this.metrics.mark(null);
   }
 }

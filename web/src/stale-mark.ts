@@ -1,5 +1,5 @@
 import { element } from './base/dom';
-import { SHOWN } from './base/english';
+import { METRICS, SHOWN } from './base/english';
 import type { MetricsPanel } from './details/metrics';
 import type { Outcome, Source } from './model/model';
 import { type Settings, sameSettings } from './model/settings';
@@ -10,7 +10,7 @@ import { settingsText } from './session/words';
 export const ownerOf = ({ source, settings }: Outcome) =>
   SHOWN.owner(titleOf(source), settingsText(settings));
 
-/** Says on layout and numbers that they belong to an earlier mesh or earlier settings. */
+/** Says on layout and numbers that they belong to earlier settings, or that there are none. */
 export class StaleMark {
   private readonly note = element('layout-note', HTMLElement);
   private readonly stage = element('layout-stage', HTMLElement);
@@ -18,18 +18,17 @@ export class StaleMark {
   constructor(private readonly metrics: MetricsPanel) {}
 
   /**
-   * `shown` is the mesh on screen, `settings` are those asked for. Returns whether the outcome is of
-   * others.
+   * `shown` is the mesh on screen and `outcome` its last one; `settings` are those asked for. Returns
+   * whether the outcome is of others.
    */
   show(outcome: Outcome | null, shown: Source | null, settings: Settings): boolean {
-    const stale =
-      outcome && (outcome.source !== shown || !sameSettings(outcome.settings, settings))
-        ? ownerOf(outcome)
-        : null;
-    if (stale !== null) this.note.textContent = SHOWN.still(stale);
-    this.note.hidden = stale === null;
-    this.stage.classList.toggle('stale', stale !== null);
-    this.metrics.markStale(stale);
-    return stale !== null;
+    const isStale = outcome !== null && !sameSettings(outcome.settings, settings);
+    const owner = isStale ? ownerOf(outcome) : '';
+    this.note.textContent = outcome ? SHOWN.previous : SHOWN.noLayout;
+    this.note.title = owner;
+    this.note.hidden = outcome ? !isStale : shown === null;
+    this.stage.classList.toggle('stale', isStale);
+    this.metrics.mark(isStale ? { text: METRICS.previous, owner } : null);
+    return isStale;
   }
 }

@@ -37,6 +37,10 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// Faces of the input whose uv islands stay exactly as they are; all others are packed around
   /// them. Islands are bounded by edges with different texcoords on their two sides.
   std::vector<std::uint32_t> fixedFaces;
+  /// Islands of `fixedFaces` that cannot stay are unwrapped like the others, and a note in the
+  /// report names them: where a face is mirrored, degenerate in uv or outside its tile, or where
+  /// the island overlaps itself or another one. Otherwise they are an error.
+  bool keepsValidOnly = false;
   /// Charts of `known` that stay exactly where they are, as above.
   std::vector<std::uint32_t> fixedCharts;
   /// Charts that need not be flattened again, because they are known, also stay exactly where they

@@ -62,9 +62,10 @@ class Rows {
   double low_ = 0, count_ = 1, perUnit_ = 0;
 };
 
-}  // namespace
-
-std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double>& uv) {
+/// Calls `found(i, j)` with pairs of triangles that overlap, until it returns false; leaves out
+/// triangles that `isOut`, which `found` may change.
+template <class IsOut, class Found>
+void sweep(const std::vector<double>& uv, const IsOut& isOut, const Found& found) {
   std::vector<std::uint32_t> order;
   std::vector<Box> boxes;
   for (std::size_t i = 0; 6 * i < uv.size(); ++i) {
@@ -82,16 +83,53 @@ std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double
   for (const std::uint32_t i : order)
     for (std::size_t r = rows.at(boxes[i].low[1]); r <= rows.at(boxes[i].high[1]); ++r) {
       std::vector<std::uint32_t>& row = open[r];
-      row.erase(
-          std::remove_if(row.begin(), row.end(),
-                         [&](std::uint32_t j) { return boxes[j].high[0] <= boxes[i].low[0]; }),
-          row.end());
+      row.erase(std::remove_if(row.begin(), row.end(),
+                               [&](std::uint32_t j) {
+                                 return isOut(j) || boxes[j].high[0] <= boxes[i].low[0];
+                               }),
+                row.end());
       for (const std::uint32_t j : row)
-        if (boxes[i].meets(boxes[j]) && !isSeparated(at(i), at(j)) && !isSeparated(at(j), at(i)))
-          return std::array<std::uint32_t, 2>{std::min(i, j), std::max(i, j)};
+        if (!isOut(i) && !isOut(j) && boxes[i].meets(boxes[j]) && !isSeparated(at(i), at(j)) &&
+            !isSeparated(at(j), at(i)))
+          if (!found(i, j)) return;
       row.push_back(i);
     }
-  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double>& uv) {
+  std::optional<std::array<std::uint32_t, 2>> out;
+  sweep(
+      uv, [](std::uint32_t) { return false; },
+      [&](std::uint32_t i, std::uint32_t j) {
+        out = {std::min(i, j), std::max(i, j)};
+        return false;
+      });
+  return out;
+}
+
+std::vector<std::uint32_t> leaveOutOverlaps(const std::vector<double>& uv,
+                                            const std::vector<std::uint32_t>& group,
+                                            std::size_t groups) {
+  constexpr int kMostRounds = 16;
+  std::vector<std::uint32_t> out(groups, kNoOverlap);
+  const auto isOut = [&](std::uint32_t i) { return out[group[i]] != kNoOverlap; };
+  for (int round = 0; round < kMostRounds; ++round) {
+    sweep(uv, isOut, [&](std::uint32_t i, std::uint32_t j) {
+      out[std::max(group[i], group[j])] = std::min(group[i], group[j]);
+      return true;
+    });
+    // One that overlaps only what has been left out since may stay after all.
+    bool isAny = false;
+    for (std::uint32_t g = 0; g < groups && round + 1 < kMostRounds; ++g)
+      if (out[g] < g && out[out[g]] != kNoOverlap) {
+        out[g] = kNoOverlap;
+        isAny = true;
+      }
+    if (!isAny) break;
+  }
+  return out;
 }
 
 }  // namespace abflat

@@ -10,6 +10,7 @@
 #include "exact/overlap.h"
 #include "mesh/triangle_geometry.h"
 #include "seam/given_seams.h"
+#include "unwrap/unfit_islands.h"
 
 namespace abflat {
 namespace {
@@ -133,15 +134,12 @@ Status checkTriangles(const FixedChart& c) {
 
 /// The chart must lie within the tile that contains the middle of its box.
 Status checkTile(const FixedChart& c, bool hasTiles) {
-  constexpr double kLastColumn = 9, kLastRow = 898;  // of UDIM
-  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+  Point2 low = {HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL};
   for (std::size_t k = 0; k < c.uv.size(); ++k) {
     low[k % 2] = std::min(low[k % 2], c.uv[k]);
     high[k % 2] = std::max(high[k % 2], c.uv[k]);
   }
-  double tile[2] = {0, 0};
-  for (std::size_t d = 0; d < 2 && hasTiles; ++d)
-    tile[d] = std::clamp(std::floor((low[d] + high[d]) / 2), 0.0, d == 0 ? kLastColumn : kLastRow);
+  const Point2 tile = tileAround(low, high, hasTiles);
   for (const ChartCorner h : c.chart.corners()) {
     const double* uv = &c.uv[2 * std::size_t{c.chart.vertexOfCorner[h]}];
     for (std::size_t d = 0; d < 2; ++d)
@@ -166,6 +164,7 @@ Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions
   if (Status s = addFaces(map, options.fixedFaces, out); !s.ok()) return s;
   if (Status s = addCharts(map, options, out); !s.ok()) return s;
   growIslands(map, out);
+  if (options.keepsValidOnly) out.note = freeUnfitIslands(map, options.udim, out);
   if (Status s = checkTexcoords(map, out); !s.ok()) return s;
   out.borders.assign(table.twin.size(), 0);
   for (const SurfaceCorner h : table.corners()) {

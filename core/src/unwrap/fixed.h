@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "unwrap/known.h"
@@ -13,10 +14,12 @@ struct FixedTriangles {
   Seams borders;                                    ///< of these islands
   std::vector<double> texcoords;                    ///< given ones, 2 numbers each
   std::vector<std::uint32_t> ofCorner;              ///< by InputCorner, or kNoTexcoord
+  std::string note;                                 ///< which islands do not stay; may be empty
 };
 
 /// The islands of `options.fixedFaces`, and known charts that are fixed. Errors: InvalidOption,
-/// naming a face or chart that does not exist, or a face that has no texcoords.
+/// naming a face or chart that does not exist, or a face that has no texcoords. With
+/// `options.keepsValidOnly`, islands that cannot stay are not fixed.
 Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions& options);
 
 /// Sets the layouts of fixed charts. Errors, unless `options` keep places whatever is there:

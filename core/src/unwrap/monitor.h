@@ -13,10 +13,25 @@ struct StageSpan {
   double UnwrapStages::*field;
 };
 inline constexpr StageSpan kSurface{Stage::Surface, 0, 0.05, &UnwrapStages::surface},
-    kSeams{Stage::Seams, 0.05, 0.2, &UnwrapStages::seams},
-    kSolve{Stage::Solve, 0.2, 0.85, &UnwrapStages::solve},
-    kPack{Stage::Pack, 0.85, 0.97, &UnwrapStages::pack},
+    kSeams{Stage::Seams, 0.05, 0.5, &UnwrapStages::seams},
+    kSolve{Stage::Solve, 0.5, 0.88, &UnwrapStages::solve},
+    kPack{Stage::Pack, 0.88, 0.97, &UnwrapStages::pack},
     kCheck{Stage::Check, 0.97, 1, &UnwrapStages::check};
+
+/// The share done of work whose amount is unknown. It comes ever closer to 1, and passes one half
+/// after `usual` steps.
+class Approach {
+ public:
+  explicit Approach(double usual) : usual_(usual) {}
+  double next() {
+    ++steps_;
+    return steps_ / (steps_ + usual_);
+  }
+
+ private:
+  const double usual_;
+  double steps_ = 0;
+};
 
 class Monitor {
  public:

@@ -45,6 +45,9 @@ int exponentOf(const PolygonMesh& mesh) {
   return largest > 0 ? std::ilogb(largest) : 0;
 }
 
+/// How often the search for seams reports until about half of it is done; by measurement.
+double usualBeats(std::size_t triangles) { return 40 + 3e-4 * static_cast<double>(triangles); }
+
 /// One run, stage by stage.
 class Unwrapping {
  public:
@@ -129,9 +132,11 @@ class Unwrapping {
     Result<FixedTriangles> fixed = fixedTriangles(map(), options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
+    if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
+    Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
         {welded_, unit_, surface_}, {given.value, scales, fixed_}, options_, *pool_,
-        [&] { return monitor_.tell(kSeams); }, report_.seams, report_.notes);
+        [&] { return monitor_.tell(kSeams, search.next()); }, report_.seams, report_.notes);
     surface_.fans = Fans();
     monitor_.tellAgain();
     if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "abflat/texcoord_faces.h"
 #include "abflat/unwrap.h"
@@ -249,6 +252,79 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
   CHECK(says(bad, " overlap. "));
   options.fixedFaces = {500};
   CHECK(says(good, "face 500 cannot keep its texcoords: the mesh has only 192 faces"));
+}
+
+TEST_CASE("islands that cannot stay are unwrapped, the others stay, and a note names them",
+          "[fixed]") {
+  const PolygonMesh plain = torus(24, 16);
+  const UnwrapResult first = unwrapped(plain, severalCharts());
+  const std::size_t count = first.report.charts.size();
+  REQUIRE(count > 3);
+  const PolygonMesh good = withUv(plain, first);
+  UnwrapOptions options = severalCharts();
+  for (std::uint32_t f = 0; f < good.faceCount(); ++f) options.fixedFaces.push_back(f);
+  options.keepsValidOnly = true;
+  checkKept(good, unwrapped(good, options), count);
+  CHECK(unwrapped(good, options).report.notes.empty());
+
+  // One chart is spoilt in each of these ways; all others keep their texcoords.
+  using Spoil = std::function<void(double*)>;
+  const std::pair<const char*, Spoil> ways[] = {
+      {"is mirrored there", [](double* uv) { uv[0] = 1 - uv[0]; }},
+      {"is degenerate there", [](double* uv) { uv[0] = 0.5; }},
+      {"leaves the unit square there", [](double* uv) { uv[1] += 1.5; }},
+  };
+  for (const auto& [why, spoil] : ways) {
+    for (std::uint32_t chart = 0; chart < count; ++chart) {
+      PolygonMesh mesh = good;
+      std::vector<std::uint8_t> isSpoilt(mesh.texcoords.size() / 2, 0);
+      for (std::uint32_t c = 0; c < mesh.faceTexcoords.size(); ++c)
+        if (first.chartOfFace[c / 3] == chart && !isSpoilt[mesh.faceTexcoords[c]]++)
+          spoil(&mesh.texcoords[2 * mesh.faceTexcoords[c]]);
+      const UnwrapResult r = unwrapped(mesh, options);
+      CHECK(r.report.valid);
+      CHECK(complaintOf(r) == "");
+      checkKept(mesh, r, count - 1);
+      REQUIRE(r.report.notes.size() == 1);
+      INFO(r.report.notes[0]);
+      CHECK(r.report.notes[0].find("kept " + std::to_string(count - 1) + " of " +
+                                   std::to_string(count) + " UV islands") == 0);
+      CHECK(r.report.notes[0].find(why) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("of islands that overlap, those that overlap no larger one stay", "[fixed]") {
+  const PolygonMesh plain = torus(24, 16);
+  const UnwrapResult first = unwrapped(plain, severalCharts());
+  const auto count = static_cast<std::uint32_t>(first.report.charts.size());
+  UnwrapOptions options = severalCharts();
+  for (std::uint32_t f = 0; f < plain.faceCount(); ++f) options.fixedFaces.push_back(f);
+  options.keepsValidOnly = true;
+  std::uint32_t seed = 1;
+  const auto random = [&] { return (seed = seed * 1664525 + 1013904223) / 4294967296.0; };
+  for (int run = 0; run < 20; ++run) {
+    PolygonMesh mesh = withUv(plain, first);
+    std::vector<std::array<double, 3>> to;
+    for (std::uint32_t i = 0; i < count; ++i)
+      to.push_back({0.3 * random(), 0.3 * random(), 0.4 + 0.3 * random()});
+    std::vector<std::uint8_t> isMoved(mesh.texcoords.size() / 2, 0);
+    for (std::uint32_t c = 0; c < mesh.faceTexcoords.size(); ++c) {
+      const auto& [u, v, scale] = to[first.chartOfFace[c / 3]];
+      double* uv = &mesh.texcoords[2 * mesh.faceTexcoords[c]];
+      if (isMoved[mesh.faceTexcoords[c]]++) continue;
+      uv[0] = u + scale * uv[0];
+      uv[1] = v + scale * uv[1];
+    }
+    const UnwrapResult r = unwrapped(mesh, options);
+    CHECK(r.report.valid);
+    const auto fixed = static_cast<std::size_t>(
+        std::count_if(r.report.charts.begin(), r.report.charts.end(),
+                      [](const UnwrapChart& chart) { return chart.fixed; }));
+    CHECK(fixed > 0);
+    checkKept(mesh, r, fixed);
+    CHECK((fixed == count) == r.report.notes.empty());
+  }
 }
 
 TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {

@@ -77,6 +77,7 @@ const OF_PACKAGE = {
     seams: (random) => random.pick(random.chance(0.8) ? SEAMS : OTHER_SEAMS),
     seamEdges: numbers,
     fixedFaces: (random) => (random.chance(0.4) ? 'uv' : numbers(random)),
+    keepsValidOnly: boolean,
     fixedCharts: numbers,
     keepsPlaces: boolean,
   },

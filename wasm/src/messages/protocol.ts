@@ -74,6 +74,7 @@ export interface UnwrapRequest extends LayoutRequest {
   /** Two vertices per edge. */
   seamEdges: Uint32Array;
   fixedFaces: Uint32Array | 'uv';
+  keepsValidOnly: boolean;
   /** Charts of `known`. */
   fixedCharts: Uint32Array;
   keepsPlaces: boolean;

@@ -24,6 +24,7 @@ export const KEYS = {
     'seams',
     'seamEdges',
     'fixedFaces',
+    'keepsValidOnly',
     'fixedCharts',
     'keepsPlaces',
     'faceDensities',

@@ -34,6 +34,12 @@ export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues
    * All others are packed around them.
    */
   fixedFaces?: Uint32Array | 'uv';
+  /**
+   * Islands of `fixedFaces` that cannot stay are unwrapped like the others, and a note in the report
+   * names them: where a face is mirrored, degenerate in uv or outside its tile, or where the island
+   * overlaps itself or another one. Otherwise they are an error. Default: false.
+   */
+  keepsValidOnly?: boolean;
   /** Charts of `known` that stay exactly where they are; all others are packed around them. */
   fixedCharts?: Uint32Array;
   /**

@@ -1,7 +1,7 @@
 // Everything that the page's scripts say to people, by room and with the numbers and names that go into it. What is always on the page
 // is in index.html. Errors that only a developer can meet stay where they are thrown.
 
-import { type Bound, bound, count, counted, listed, measure } from './format';
+import { type Bound, bound, count, counted, ended, listed, measure } from './format';
 
 // Rooms: base, view, drawing, mesh, files, workshop, opening, export
 
@@ -34,23 +34,22 @@ export const OWN_IMAGE = {
   shown: (name: string) => `Showing ${name}`,
   oneOfMany: (name: string, images: number) => `You chose ${images} images. ${name} is shown.`,
   scaledDown: (name: string, [width, height]: number[], [most, high]: number[]) =>
-    `${name} has ${count(width)} × ${count(height)} pixels, more than your graphics card takes. It is shown with ${count(most)} × ${count(high)}.`,
+    `${name} is ${count(width)} × ${count(height)} pixels, more than your graphics card supports. It is shown at ${count(most)} × ${count(high)}.`,
   damaged: (name: string) =>
-    `${name} cannot be shown, because it is damaged or too large. Save it again as PNG, JPEG or WebP.`,
-  unknown: (name: string) =>
-    `${name} cannot be shown, because this browser does not decode its format. Save it as PNG, JPEG or WebP.`,
+    `${name} is damaged or too large to show. Save it again as PNG, JPEG or WebP.`,
+  unknown: (name: string) => `This browser cannot decode ${name}. Save it as PNG, JPEG or WebP.`,
 };
 
 /** `title`: what is measured; values and shares come as texts. */
 export const HEAT_LEGEND = {
-  andLess: (value: string) => `${value} and less`,
-  andMore: (value: string) => `${value} and more`,
+  andLess: (value: string) => `${value} or less`,
+  andMore: (value: string) => `${value} or more`,
   fromTo: (title: string, from: string, to: string) => `${title} ${from} to ${to}`,
   percent: (value: string) => `${value}\u202f%`,
   underPercent: (value: string) => `under ${value}\u202f%`,
   ofSurface: (range: string, share: string) => `${range}: ${share} of the surface`,
-  selectBar: 'Select a bar to light its triangles',
-  worst: 'The worst hundredth of the surface',
+  selectBar: 'Click a bar to highlight its faces',
+  worst: 'The worst 1\u202f% of the surface',
 };
 
 /** Meanings of marks. */
@@ -58,7 +57,7 @@ export const MARKS = {
   invalidCharts: (n: number) => counted(n, 'chart is not valid', 'charts are not valid'),
   tightened: (n: number) => counted(n, 'tightened vertex', 'tightened vertices'),
   crossings: (n: number) => counted(n, 'crossing'),
-  resisting: (n: number) => `${counted(n, 'edge')} cannot become Delaunay`,
+  resisting: (n: number) => `${counted(n, 'edge')} cannot be made Delaunay`,
   delaunay: (before: number, after: number) =>
     `Delaunay: distortion ${measure(before)} \u2192 ${measure(after)}`,
 };
@@ -68,26 +67,31 @@ export const GLTF = {
   needs: (name: string, wanted: string | undefined) =>
     `${name} needs ${wanted}: open or drop both files together.`,
   truncated: (name: string, there: number, length: number) =>
-    `${name} is truncated: ${count(there)} of ${count(length)} bytes are there. Copy or download it again.`,
+    `${name} is truncated: it has only ${count(there)} of ${count(length)} bytes. Copy or download it again.`,
   unknownExtension: (name: string, extension: string) =>
     `${name} requires ${extension}, which this page cannot read. Save it without that extension.`,
   otherVersion: (name: string) => `${name} is not glTF 2.0. Save it as glTF 2.0 or GLB.`,
-  notJson: (name: string, reason: string) => `${name} is neither binary nor JSON: ${reason}`,
+  /** `reason` is a sentence of the browser. */
+  notJson: (name: string, reason: string) =>
+    `${name} is not a glTF file, because it is not valid JSON: ${ended(reason)} Export or download it again.`,
+  notGlb: (name: string) =>
+    `${name} is not a GLB file, because it does not begin with "glTF". Export or download it again.`,
   noTriangles: (name: string) => `${name} has no triangles, so there is nothing to unwrap.`,
   damaged: (name: string, reason: string) =>
     `${name} is damaged or too large to read (${reason}). Export or download it again.`,
   undecodable: (name: string, compressions: string[], reason: string) =>
     `${name} is damaged: its ${compressions.join(' and ')} data cannot be decoded (${reason}). Export or download it again.`,
   attributeMissing: 'an attribute is missing',
-  senselessView: (view: number) => `buffer view ${view} makes no sense`,
+  senselessView: (view: number) => `buffer view ${view} is invalid`,
   tooLarge: 'Its coordinates are too large for GLB. Scale the mesh down, or choose OBJ',
 };
 
 /** Files that a mesh names. */
 export const LOOK_FILES = {
   missing: (mesh: string, files: string[]) => {
-    const [is, them] = files.length > 1 ? ['are', 'them'] : ['is', 'it'];
-    return `${mesh} names ${listed(files)}, which ${is} missing: drop ${them} together with the mesh.`;
+    const what = files.some((file) => /\.mtl$/i.test(file)) ? 'Materials' : 'Textures';
+    const them = files.length > 1 ? 'them' : 'it';
+    return `${what} not shown: ${listed(files)} not found. UVs are unaffected. Drop ${them} together with ${mesh} to see ${them}.`;
   },
   undecoded: (files: string[]) =>
     `This browser cannot decode ${listed(files)}: save ${files.length > 1 ? 'them' : 'it'} as PNG or JPEG.`,
@@ -98,9 +102,9 @@ export const LOOK_FILES = {
 /** Pictures of an atlas. */
 export const ATLAS_PICTURE = {
   tooLarge: (most: number) =>
-    `pictures have at most ${most} pixels along a side. Lower the resolution, or save SVG`,
+    `a picture can have at most ${most} pixels per side. Lower the resolution, or save SVG`,
   noMemory:
-    'the browser has not enough memory for a picture of this size. Lower the resolution, or save SVG',
+    'the browser does not have enough memory for a picture this large. Lower the resolution, or save SVG',
 };
 
 /** Choosing or dropping files. */
@@ -115,7 +119,7 @@ export const CHOSEN_FILES = {
   emptyFolder: 'The folder is empty. Drop a mesh, or a folder that contains one.',
   tooMany: (most: number) =>
     `The folder holds more than ${most} files. Drop only the mesh and the files it needs.`,
-  unreadable: 'The file cannot be read: it was moved or deleted. Open it again.',
+  unreadable: 'The file was moved or deleted, so it cannot be read. Open it again.',
 };
 
 /** Files that take time to get. */
@@ -138,15 +142,15 @@ export const FETCHING = {
     return `Fetching ${name}: ${size(received)}${total === null ? '' : ` of ${size(total)}`}\u202fMB`;
   },
   tooManyNamed: (found: number, most: number) =>
-    `The mesh names ${found} other files, and at most ${most} are fetched. Download all of them, then open the folder.`,
+    `The mesh refers to ${found} other files, but at most ${most} can be fetched. Download all of them, then open the folder.`,
 };
 
 /** Why nothing is fetched from an address. */
 export const ADDRESSES = {
   password: (host: string) =>
-    `The address of a mesh on ${host} holds a password, so it is not opened. Download the file, then open it.`,
+    `The address of the mesh on ${host} contains a password, so it was not opened. Download the file, then open it.`,
   notHttps: (address: string) =>
-    `${address} is not opened, because only https addresses are. Use one that begins with https://, or download the file.`,
+    `${address} was not opened, because it does not begin with https://. Use an https address, or download the file.`,
   invalid: (text: string) => `"${text}" is not an address. Check the link.`,
 };
 
@@ -155,19 +159,18 @@ export const FETCH_FAILED = {
   empty: (name: string, host: string) =>
     `${name} at ${host} is empty. Check the address, or ask who published it.`,
   webPage: (name: string, host: string) =>
-    `${host} answered with a web page in place of ${name}. Use the address of the file itself.`,
+    `${host} sent a web page instead of ${name}. Use the address of the file itself.`,
   offline: (name: string, host: string) =>
-    `${name} was not fetched from ${host}, because there is no network connection. Connect, then open it again.`,
+    `${name} could not be fetched from ${host}, because there is no network connection. Connect, then open it again.`,
   unreachable: (name: string, host: string) =>
-    `${name} was not fetched from ${host}: the server cannot be reached, or does not let other pages read it (CORS). Download the file, then open it.`,
+    `${name} could not be fetched from ${host}: the server cannot be reached, or does not allow other sites to read the file (CORS). Download the file, then open it.`,
   notThere: (name: string, host: string, status: number) =>
-    `There is no ${name} at ${host} (${status}). Check the address.`,
+    `${host} has no ${name} (${status}). Check the address.`,
   notAllowed: (name: string, host: string, status: number) =>
-    `${host} does not give ${name} to everybody (${status}). Download it where you are signed in, then open it.`,
+    `${host} requires you to sign in for ${name} (${status}). Sign in there, download the file, then open it.`,
   refused: (name: string, host: string, status: number) =>
     `${host} did not send ${name} (${status}). Try again later, or download the file and open it.`,
-  interrupted: (name: string) =>
-    `The connection was lost while ${name} was fetched. Open it again.`,
+  interrupted: (name: string) => `The connection was lost while fetching ${name}. Open it again.`,
 };
 
 /** Asked before anything is fetched. Sizes come as texts. */
@@ -176,11 +179,11 @@ export const WEB_SHEET = {
   openFrom: (name: string, host: string) => `Open ${name} from ${host}?`,
   /** `size`: '' if it is not known. */
   whatHappens: (host: string, size: string, namesFiles: boolean) =>
-    `Your browser fetches this mesh${size && ` (${size})`}${namesFiles ? ' and the files it names' : ''} from ${host}, which sees your network address. Meshes of your own stay on your machine.`,
+    `Your browser fetches this mesh${size && ` (${size})`}${namesFiles ? ' and the files it refers to' : ''} from ${host}, which sees your IP address. Your own meshes never leave your machine.`,
   open: 'Open',
   fetchLarge: (size: string) => `Fetch ${size}?`,
   large: (name: string, size: string) =>
-    `${name} is larger than most meshes: ${size} or more. Fetching and unwrapping it may take long.`,
+    `${name} is larger than most meshes: ${size} or more. Fetching and unwrapping it may take a long time.`,
   fetch: 'Fetch',
   megabytes: (size: string) => `${size}\u202fMB`,
 };
@@ -194,7 +197,7 @@ export const SAMPLES = {
 
 /** What there is to see in each sample. */
 export const ABOUT_SAMPLES: Record<string, string> = {
-  hemisphere: 'half a ball',
+  hemisphere: 'half a sphere',
   'wavy-strip': 'long and bent',
   head: 'cut at the neck',
   'alpha-band': 'overlaps when flat',
@@ -205,8 +208,8 @@ export const ABOUT_SAMPLES: Record<string, string> = {
 /** `format` in capitals. */
 export const EXPORT = {
   export: (format: string) => `Export ${format}`,
-  exportEarlier: (format: string) => `Export earlier ${format}`,
-  stillShown: (earlier: string) => `Exports the layout still shown: ${earlier}`,
+  exportLast: 'Export last layout',
+  previous: (settings: string) => `Exports the layout still on screen: ${settings}`,
   writing: (format: string) => `Writing ${format}`,
   exported: (name: string, size: string) => `Exported ${name}, ${size}`,
   shapeOnly: ', shape and UVs only',
@@ -214,9 +217,13 @@ export const EXPORT = {
   notExported: 'Not exported',
   cancelled: 'Export cancelled',
   rounded:
-    'GLB holds single precision: rounded to it, some triangles flip or overlap. OBJ keeps all digits.',
-  replaced: 'New UVs replaced TEXCOORD_0: textures painted for the old ones no longer fit.',
-  added: (texcoord: number) => `New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`,
+    'GLB stores single precision, and rounding makes some triangles flip or overlap. OBJ keeps all digits.',
+  replaced: (texcoord: number) => `New UVs replaced TEXCOORD_${texcoord}.`,
+  replacedPainted: (texcoord: number) =>
+    `New UVs replaced TEXCOORD_${texcoord}: textures painted for the old ones no longer fit.`,
+  added: (texcoord: number) => `New UVs are in TEXCOORD_${texcoord}.`,
+  addedToPainted: (texcoord: number) =>
+    `New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`,
 };
 
 /** Files that were saved. */
@@ -227,8 +234,8 @@ export const SAVED = {
 };
 
 export const VIEWS_PICTURE = {
-  notMade: 'The browser made no picture of it. Make the window smaller.',
-  noMemory: 'The browser has no memory left for a picture. Close other tabs.',
+  notMade: 'The browser could not make the picture. Make the window smaller.',
+  noMemory: 'The browser ran out of memory for the picture. Close other tabs.',
 };
 
 // Rooms: model, controls, plot, details
@@ -241,8 +248,7 @@ export const HEAT_MAPS = {
   },
   area: {
     title: 'Area',
-    explanation:
-      'Area in uv divided by area in 3D: below 1 a place has fewer texels than the average',
+    explanation: 'UV area divided by 3D area; below 1, a face has fewer texels than average',
   },
   stretch: {
     title: 'Stretch',
@@ -276,11 +282,11 @@ export const OPTIONS = {
 export const STRETCH_LIMIT = {
   more: 'more seams',
   fewer: 'fewer seams',
-  lengths: (percent: number) => `lengths \u00b1${percent}\u202f%`,
+  lengths: (percent: number) => `lengths off by up to ${percent}\u202f%`,
   notEnforced: 'not enforced',
-  about: 'Limit for the average stretch of each chart. A lower limit gives more seams and charts',
-  aboutNotEnforced: (lengths: string) =>
-    `Auto is off, so no cuts enforce ${lengths}. Press Auto, or Cut further next to the result`,
+  about: 'Limit for the average stretch of each chart. A lower limit adds seams and charts',
+  aboutNotEnforced:
+    'Auto is off, so nothing is cut to meet this limit. Press Auto, or Cut further next to the result',
   readOut: (limit: number, hint: string) => `${limit}: ${hint}`,
   pixels: (n: number) => `${count(n)}\u202fpx`,
 };
@@ -303,21 +309,22 @@ export const BOUND = {
   beforeTick: 't = ',
 };
 
-export const MODE_HINTS = { flatten: 'one chart', unwrap: 'charts in a square' };
+export const MODE_HINTS = { flatten: 'one chart', unwrap: 'charts in one texture' };
 
-/** Why a mesh cannot be flattened, in two words, by abflat's status. */
-export const DISK_PROBLEMS = {
-  DegenerateFace: 'Degenerate faces',
-  NonManifoldEdge: 'Non-manifold edges',
-  InconsistentOrientation: 'Flipped faces',
-  MultipleComponents: 'Several components',
-  ClosedSurface: 'Closed surface',
-  MultipleBoundaryLoops: 'Several boundaries',
-  HasHandles: 'Handles',
+/** What a mesh lacks that cannot be flattened, by abflat's status. */
+export const DISK_NEEDS = {
+  DegenerateFace: 'Needs a mesh without degenerate faces',
+  NonManifoldEdge: 'Needs a mesh without non-manifold edges',
+  InconsistentOrientation: 'Needs faces that are all oriented alike',
+  MultipleComponents: 'Needs a mesh in one piece',
+  ClosedSurface: 'Needs an open surface',
+  MultipleBoundaryLoops: 'Needs a surface with a single boundary',
+  HasHandles: 'Needs a surface without handles',
 };
 
 export const NO_DISK = {
-  useUnwrap: (problem = 'Not a disk') => `${problem}: use Unwrap`,
+  /** `reason` is a sentence. */
+  flatten: (reason: string, need = 'Needs a mesh that is a disk') => `${need}. ${reason}`,
 };
 
 /** What the user should know about the opened file. */
@@ -392,7 +399,12 @@ export const VALIDITY = { valid: 'valid', notValid: 'not valid', column: 'Valid'
 /** What runs in a tab of the details. */
 export const TAB_JOBS = { stop: 'Stop', stopped: 'Stopped', starting: 'Starting' };
 
-export const BADGES = { valid: 'Valid', stretched: 'Stretched', notValid: 'Not valid' } as const;
+export const BADGES = {
+  valid: 'Valid',
+  stretched: 'Stretched',
+  notValid: 'Not valid',
+  none: 'No result',
+} as const;
 
 /** Why a result has its badge. */
 export const VERDICT = {
@@ -405,8 +417,14 @@ export const VERDICT = {
     const where = all > 1 ? ` in ${count(charts)} of ${count(all)} charts` : '';
     return `Stretch ${upTo}${most}${where}; the limit is ${limit}`;
   },
-  defects: (bad: number, all: number, problem: string) =>
-    `${count(bad)} of ${counted(all, 'chart')}: ${problem}`,
+  outside: (charts: number) =>
+    `${counted(charts, 'chart')} outside ${charts === 1 ? 'its tile' : 'their tiles'}`,
+  overlapping: (charts: number) => counted(charts, 'chart overlaps another', 'charts overlap'),
+  /** `problem` is that of the first. */
+  defects: (charts: number, problem: string) =>
+    charts === 1
+      ? `1 chart is not valid: ${problem}`
+      : `${count(charts)} charts are not valid. In the first, ${problem}`,
 };
 
 /** What the user can do about a verdict. */
@@ -476,7 +494,8 @@ export const METRICS = {
   time: { label: 'Time', title: 'Total time in the worker, including reading and writing' },
   toWorst: (title: string) => `${title}. Click to see where it is worst`,
   notes: (n: number) => counted(n, 'note'),
-  of: (owner: string) => `Numbers of ${owner}`,
+  previous: 'Figures of the previous layout',
+  ofResult: "Figures of abflat's layout",
 };
 
 /** The notes on an atlas; `places` name faces or edges. */
@@ -496,7 +515,7 @@ export const ATLAS_NOTES = {
   conflicts: (n: number, places: string) =>
     `${counted(n, 'edge lies', 'edges lie')} between faces of opposite orientation and ${n === 1 ? 'became a seam' : 'became seams'}: ${places}`,
   noArea: (n: number) =>
-    `${counted(n, 'triangle has', 'triangles have')} no area and got artificial angles`,
+    `${counted(n, 'triangle has', 'triangles have')} no area and were given artificial angles`,
   faces: (n: number, names: string) => `${n === 1 ? 'face' : 'faces'} ${names}`,
   edges: (n: number, names: string) => `${n === 1 ? 'edge' : 'edges'} ${names}`,
   andMore: (names: string, more: number) => `${names} and ${count(more)} more`,
@@ -554,7 +573,7 @@ export const CHART_LIST = {
 export const LOCKS = {
   column: 'Locked',
   lock: (chart: number) => `Lock chart ${chart}`,
-  about: 'Locked: the chart keeps its shape and place, whatever else changes',
+  about: 'Locked: the chart keeps its shape and position, whatever else changes',
   locked: (chart: number) => `Locked chart ${chart}`,
   unlocked: (chart: number) => `Unlocked chart ${chart}`,
   summary: (n: number) => (n > 0 ? `${counted(n, 'chart')} locked` : 'Locked charts stay in place'),
@@ -583,7 +602,7 @@ export const CONVERGENCE = {
   step: 'Step',
   residual: 'Residual',
   aboutResidual:
-    'How far each solver step is from meeting the constraints and from the least distortion.',
+    'How far each solver step is from meeting the constraints and from minimal distortion.',
   constraint: 'Constraint',
   gradient: 'Gradient',
   constraintResidual: 'Constraint residual',
@@ -609,8 +628,7 @@ export const SWEEP = {
 /** The chart of distortion over t. */
 export const SWEEP_CHART = {
   title: 'Angular distortion',
-  about:
-    'Angular distortion of layouts with several t. Layouts that are not valid are drawn as circles.',
+  about: 'Angular distortion for different values of t. Circles are layouts that are not valid.',
   t: 't',
   auto: 'auto',
   notPossible: 'not possible',
@@ -644,9 +662,9 @@ export const METHOD_COLUMNS = {
 /** Copying all numbers of a result. */
 export const REPORT = {
   copied: 'Statistics copied as JSON',
-  notCopied: 'Nothing was copied: the browser keeps this page from the clipboard.',
+  notCopied: 'Nothing was copied, because the browser blocks the clipboard for this page.',
   allow:
-    'Allow it in the settings beside the address. If there is no such setting, open the page over https or from localhost.',
+    'Allow it in the site settings, next to the address. If there is no such setting, open the page over https or from localhost.',
 };
 
 // Rooms: session, seams, selection, arrange, help, and the top room
@@ -677,7 +695,7 @@ export const CHANGES = {
   balance: (balance: number) => `Balance ${balance}`,
   delaunay: (isOn: boolean) => (isOn ? 'Delaunay' : 'Delaunay off'),
   bounds: (vertices: number) => `Bounds of ${counted(vertices, 'vertex', 'vertices')}`,
-  noBounds: 'No own bounds',
+  noBounds: 'No painted bounds',
   maxStretch: (most: number) => `Max stretch ${most}`,
   resolution: (pixels: number) => `Resolution ${pixels}\u202fpx`,
   padding: (texels: number) => `Padding ${texels}`,
@@ -686,7 +704,7 @@ export const CHANGES = {
   noSeamEdges: 'Seams as chosen',
   keptUvs: 'UVs of the file kept',
   noKeptUvs: 'UVs of the file not kept',
-  packedAgain: 'Packed again',
+  packedAgain: 'Repacked',
   switched: (label: string, isOn: boolean) => (isOn ? label : `${label} off`),
   set: (label: string, value: unknown) => `${label} ${value}`,
   undone: (step: string) => `Undone: ${step}`,
@@ -701,7 +719,7 @@ export const RUN = {
   laidOut: (done: string, time: string) => `${done} in ${time}`,
   but: (badge: string) => `, ${badge.toLowerCase()}`,
   ownBounds: (bounds: number) => `; ${counted(bounds, 'own bound')}`,
-  repacked: '; packed again, as there was too little room',
+  repacked: '; repacked, because there was too little room',
   kept: 'kept',
   locked: 'locked',
   keptAsInFile: 'as in the file',
@@ -716,7 +734,7 @@ export const RUN = {
   tryAgain: 'Try again',
   /** `done`: what was not; null: the mesh was not opened. */
   failed: (title: string, done: string | null, why: string) =>
-    `${title} was not ${done === null ? 'opened' : done.toLowerCase()}: ${why}.`,
+    `${title} was not ${done === null ? 'opened' : done.toLowerCase()}: ${ended(why)}`,
 };
 
 /** What is on screen. */
@@ -734,11 +752,12 @@ export const SHOWN = {
     return `t = auto: ${t === null ? 'free' : bound(t)}${but}`;
   },
   owner: (title: string, settings: string) => `${title}, ${settings}`,
-  still: (what: string) => `Still showing ${what}`,
-  stillSentence: (what: string) => `Still showing ${what}.`,
+  previous: 'Previous layout',
+  noLayout: 'No layout yet',
+  stillShown: (what: string) => `Still showing ${what}.`,
   comparison: (method: string) => `Comparison, not exported: ${method}`,
   noMaterials: (name: string) =>
-    `The materials of ${name} could not be read. Open it again to see them.`,
+    `The materials of ${name} could not be read. To see them, open it again.`,
   noWebGl:
     'WebGL 2 is off or missing in this browser, so nothing can be drawn. Unwrapping and export still work.',
 };
@@ -748,6 +767,9 @@ export const READING = {
   noMesh: 'Open a mesh first.',
   empty: (name: string) => `${name} is empty.`,
   notSupported: (name: string) => `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`,
+  /** A file of a 3D program. */
+  scene: (name: string) =>
+    `${name} is not supported. Export it as glTF from Blender, Maya or the program that made it, then drop that file.`,
   withoutFaces: (name: string, vertices: number) => {
     const content =
       vertices > 0 ? `${counted(vertices, 'vertex', 'vertices')} but no faces` : 'no faces';
@@ -755,26 +777,24 @@ export const READING = {
   },
   /** `reason` is a sentence of the browser. */
   unreadable: (name: string, reason: string) =>
-    `${name} cannot be read (${reason}) Choose the file again.`,
+    `${name} cannot be read. ${ended(reason)} Choose the file again.`,
 };
 
 /** Why nothing is saved. */
 export const SAVING = {
   notDrawn: 'Nothing is drawn, so there is no picture',
-  failed: (title: string, message: string) =>
-    `${title} was not saved: ${message.replace(/\.$/, '')}.`,
-  cameOutDifferently: 'The layout came out differently. Lay it out again, then export it.',
+  failed: (title: string, message: string) => `${title} was not saved: ${ended(message)}`,
+  cameOutDifferently: 'This run gave a different layout. Unwrap again, then export.',
 };
 
 /** The mesh and settings that the page starts with. */
 export const VISIT = {
   restored: (title: string) => `Restored ${title} from your last visit`,
-  stoppedOpening:
-    'The mesh of your last visit was not opened again, because the page stopped while opening it.',
-  tooLarge: 'The mesh of your last visit was too large to keep. Open it again.',
+  stoppedOpening: 'Your last mesh was not reopened, because the page stopped while opening it.',
+  tooLarge: 'Your last mesh was too large to keep. Open it again.',
   unreadable: 'Your last visit could not be restored.',
   notRestored: (title: string, message: string) =>
-    `${title} could not be restored from your last visit: ${message.replace(/\.$/, '')}.`,
+    `${title} could not be restored from your last visit: ${ended(message)}`,
   notOffered: (words: string) => `The link asks for ${words}, which this page does not offer.`,
 };
 
@@ -785,11 +805,11 @@ export const BOUNDS = {
   erasing: (vertices: number) => `${counted(vertices, 'vertex', 'vertices')}: erase`,
   painting: (vertices: number, value: string) =>
     `${counted(vertices, 'vertex', 'vertices')}: paint ${value}`,
-  erased: (vertices: number) => `Erased bounds of ${counted(vertices, 'vertex', 'vertices')}`,
-  painted: (vertices: number) => `Painted bounds of ${counted(vertices, 'vertex', 'vertices')}`,
-  cleared: 'Cleared all own bounds',
-  unchanged: 'No bound has changed',
-  noBoundary: 'There is no boundary here',
+  erased: (vertices: number) => `Erased the bounds of ${counted(vertices, 'vertex', 'vertices')}`,
+  painted: (vertices: number) => `Painted the bounds of ${counted(vertices, 'vertex', 'vertices')}`,
+  cleared: 'Cleared all painted bounds',
+  unchanged: 'No bounds changed',
+  noBoundary: 'No boundary here',
   notPainted: (reason: string) => `Bounds cannot be painted: ${reason}`,
 };
 
@@ -831,10 +851,10 @@ export const SEAMS = {
   painting: (edges: number) => `Painting ${counted(edges, 'edge')} as seam, Esc cancels`,
   painted: (edges: number) => `Painted ${counted(edges, 'edge')} as seam`,
   /** Along boundaries and seams only. */
-  nothingPainted: 'There is nothing to cut along this stroke',
+  nothingPainted: 'Nothing to cut along this stroke',
   erasing: (edges: number) => `Erasing ${counted(edges, 'seam edge')}, Esc cancels`,
   erased: (edges: number) => `Erased ${counted(edges, 'seam edge')}`,
-  nothingErased: 'There is no seam under this stroke',
+  nothingErased: 'No seam under this stroke',
   strokeCancelled: 'Stroke cancelled',
   cutFurther: 'Cut further',
   /** Edges that are not cut yet. */
@@ -870,7 +890,7 @@ export const SELECTION = {
   none: 'Select a chart first',
   locked: 'Locked charts stay. Unlock them to move them',
   density: 'Density',
-  mixedDensity: 'different from chart to chart',
+  mixedDensity: 'mixed',
   densityOfOne: (chart: number, density: number) => `Density of chart ${chart}: ${density}`,
   densityOfSeveral: (charts: number, density: number) =>
     `Density of ${counted(charts, 'chart')}: ${density}`,
@@ -879,11 +899,11 @@ export const SELECTION = {
 /** What was done to charts, by the names of the menu's entries. */
 export const ARRANGED = {
   move: 'Moved',
-  turn: 'Turned',
+  turn: 'Rotated',
   scale: 'Scaled',
-  left: 'Turned',
-  right: 'Turned',
-  straightened: 'Straightened',
+  left: 'Rotated',
+  right: 'Rotated',
+  straightened: 'Aligned',
   stacked: 'Stacked',
   evened: 'Evened out',
 };
@@ -894,7 +914,7 @@ export const MOVING = {
   doneToSeveral: (done: string, charts: number) => `${done} ${counted(charts, 'chart')}`,
   /** What is typed, as long as it is no number. */
   typed: (typed: string) => ` ${typed}…`,
-  turn: (degrees: string) => `Turn ${degrees}°`,
+  turn: (degrees: string) => `Rotate ${degrees}°`,
   scale: (factor: string) => `Scale ×${factor}`,
   along: (axis: string, distance: string) => `${axis} ${distance}`,
   /** `shift` is listed by axis. */
@@ -932,14 +952,14 @@ export const KEY_NAMES: Record<string, string> = {
 export const HELP = {
   mesh: {
     title: 'Mesh view',
-    where: 'Click the mesh first. 1, 3, 7, 9 and Home are those of Blender.',
-    turn: 'Turn',
+    where: 'Click the mesh first. 1, 3, 7, 9 and Home work as in Blender.',
+    turn: 'Rotate',
     zoom: 'Zoom',
     move: 'Move',
-    lookFrom: 'Look from the front, the right, the top',
-    otherSide: 'Look from the other side',
+    lookFrom: 'View from the front, right or top',
+    otherSide: 'Flip the view',
     whole: 'Show the whole mesh',
-    shading: 'From charts to the shading before, and back',
+    shading: 'Toggle last shading',
   },
   layout: {
     title: 'Layout view',
@@ -947,20 +967,20 @@ export const HELP = {
     move: 'Move',
     zoom: 'Zoom',
     whole: 'Show the whole layout',
-    shading: 'From charts to the shading before, and back',
+    shading: 'Toggle last shading',
   },
   tabs: {
     title: 'Meshes in tabs',
-    where: 'Above the mesh, where several are open.',
+    where: 'Above the mesh, if several are open.',
     next: 'Next tab',
     open: 'Open its mesh',
     close: 'Close it',
   },
   details: {
     title: 'Details and t',
-    next: 'Next tab, next point of a plot',
+    next: 'Next tab, or next point of a plot',
     use: 'Use the t of that point',
-    step: 'Step the number beside t',
+    step: 'Step the number for t',
   },
   seams: {
     title: 'Seams',
@@ -969,16 +989,16 @@ export const HELP = {
     loop: 'Cut the loop of an edge',
     middle: 'Click in the middle of the view',
     goOn: 'Continue a cut; remove a single edge',
-    otherTool: 'Join in place of Cut, Cut in place of Join',
+    otherTool: 'Join instead of Cut, Cut instead of Join',
     paint: 'Paint a seam; with Join, erase seams',
-    togglePaint: 'Paint by dragging alone, or stop that',
+    togglePaint: 'Turn painting by drag on or off',
     cancel: 'Cancel the cut or the stroke',
   },
   bounds: {
     title: 'Bounds',
-    where: 'In both views of a mesh in one piece.',
-    toggle: 'Paint bounds, or stop painting',
-    paint: 'Paint the bound beside the button',
+    where: 'In both views, with Flatten pressed.',
+    toggle: 'Turn painting on or off',
+    paint: 'Paint the bound set next to the button',
     erase: 'Erase bounds',
     middle: 'Paint in the middle of the view',
   },
@@ -986,30 +1006,30 @@ export const HELP = {
     title: 'Charts',
     where: 'In the layout view, or in the mesh view with Select pressed.',
     select: 'Select a chart',
-    add: 'Add a chart, or take it away',
+    add: 'Add or remove a chart',
     middle: 'Select the chart in the middle of the view',
-    all: 'Select all, nothing',
+    all: 'Select all, or none',
     frame: 'Frame the selected charts',
-    isolate: 'Isolate them; again shows all',
-    hide: 'Hide them, show all',
-    move: 'Move, turn, scale them in the layout',
-    none: 'Select nothing',
+    isolate: 'Isolate them; press again to show all',
+    hide: 'Hide them, or show all',
+    move: 'Move, rotate or scale them in the layout',
+    none: 'Deselect all',
   },
   pins: {
     title: 'Pins',
-    where: 'In the layout view. P, or Pin above it, begins and ends it.',
-    toggle: 'Pin vertices; again ends it',
-    pin: 'Pin a vertex; remove a pin',
-    middle: 'The same in the middle of the view',
+    where: 'In the layout view. Press P, or Pin above it, to start and stop.',
+    toggle: 'Start or stop pinning',
+    pin: 'Pin a vertex, or remove a pin',
+    middle: 'Pin in the middle of the view',
     move: 'Move a pin: its chart follows, its other pins stay',
-    end: 'End it',
+    end: 'Stop pinning',
   },
   moving: {
     title: 'Moving charts',
     where: 'After G, R or S in the layout view, or while a chart or a pin is dragged.',
-    axis: 'Move along one axis; again frees it',
-    snap: 'Keep to whole texels, 5°, tenths',
-    nudge: 'By a texel, 1°, 1 %; with Shift by ten',
+    axis: 'Move along one axis; press again to free it',
+    snap: 'Snap to whole texels, 5°, tenths',
+    nudge: 'Step by a texel, 1° or 1 %; by ten with Shift',
     type: 'In UV, degrees or as a factor',
     place: 'Place them',
     putBack: 'Put them back',
@@ -1022,7 +1042,7 @@ export const HELP = {
     exportAs: 'Export in another format',
     undo: 'Undo',
     redo: 'Redo',
-    cancel: 'Cancel what runs, close what is open',
+    cancel: 'Cancel a run, close what is open',
     help: 'Show this sheet',
   },
 };

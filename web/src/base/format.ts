@@ -31,6 +31,11 @@ export function sentence(text: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
+/** With a full stop, unless it ends like a sentence. */
+export function ended(text: string): string {
+  return /[.!?\u2026]$/.test(text) ? text : `${text}.`;
+}
+
 /** Three significant digits, without an exponent if that stays short. */
 export function measure(x: number): string {
   if (!Number.isFinite(x)) return 'not finite';

@@ -101,9 +101,7 @@ export class AtlasControl {
     const hint = this.isCutting ? lengths : STRETCH_LIMIT.notEnforced;
     this.value.value = String(maxStretch);
     this.hint.textContent = hint;
-    this.hint.title = this.isCutting
-      ? STRETCH_LIMIT.about
-      : STRETCH_LIMIT.aboutNotEnforced(lengths);
+    this.hint.title = this.isCutting ? STRETCH_LIMIT.about : STRETCH_LIMIT.aboutNotEnforced;
     this.slider.setAttribute('aria-valuetext', STRETCH_LIMIT.readOut(maxStretch, hint));
     this.slider.style.setProperty('--value', String(share(maxStretch)));
   }

@@ -1,12 +1,12 @@
 import type { MeshSummary, StatusName } from 'abflat';
 import { element } from '../base/dom';
-import { DISK_PROBLEMS, MODE_HINTS, NO_DISK } from '../base/english';
+import { DISK_NEEDS, MODE_HINTS, NO_DISK } from '../base/english';
 import { sentence } from '../base/format';
 import type { Mode } from '../model/settings';
 
 const MODES: Mode[] = ['flatten', 'unwrap'];
 
-const PROBLEMS: Partial<Record<StatusName, string>> = DISK_PROBLEMS;
+const NEEDS: Partial<Record<StatusName, string>> = DISK_NEEDS;
 
 /** Unwrap, or for disks flatten if the user prefers that; the choice stays for later disks. */
 export class ModeSwitch {
@@ -54,10 +54,11 @@ export class ModeSwitch {
       element(`${MODES[i]}-options`, HTMLElement).hidden = MODES[i] !== this.mode;
     });
     const { ok, code, message } = this.disk;
-    this.buttons[0].disabled = !ok;
-    const problem = PROBLEMS[code as StatusName];
-    this.hint.textContent = ok ? MODE_HINTS[this.mode] : NO_DISK.useUnwrap(problem);
-    this.hint.title = ok ? '' : `${sentence(message)}.`;
+    const [flatten] = this.buttons;
+    flatten.disabled = !ok;
+    const need = NEEDS[code as StatusName];
+    flatten.title = ok ? '' : NO_DISK.flatten(`${sentence(message)}.`, need);
+    this.hint.textContent = MODE_HINTS[this.mode];
     document.body.dataset.mode = this.mode;
   }
 }

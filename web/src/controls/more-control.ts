@@ -43,12 +43,19 @@ export class MoreControl {
     });
     this.panel.append(this.switches);
     this.show();
-    this.button.addEventListener('click', () => {
-      const isOpen = this.panel.hidden;
-      this.panel.hidden = !isOpen;
-      this.button.setAttribute('aria-expanded', String(isOpen));
-      if (isOpen) this.panel.scrollIntoView({ block: 'nearest' });
+    this.button.addEventListener('click', () => this.setOpen(this.panel.hidden));
+    this.panel.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      event.stopPropagation(); // else it cancels a run
+      this.setOpen(false);
+      this.button.focus();
     });
+  }
+
+  private setOpen(isOpen: boolean): void {
+    this.panel.hidden = !isOpen;
+    this.button.setAttribute('aria-expanded', String(isOpen));
+    if (isOpen) this.panel.scrollIntoView({ block: 'nearest' });
   }
 
   get settings(): MoreOptions {

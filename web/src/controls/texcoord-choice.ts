@@ -2,7 +2,7 @@ import { element } from '../base/dom';
 import { UV_SETS } from '../base/english';
 import type { Outcome } from '../model/model';
 
-/** Which texcoord set of a textured glTF gets the new coordinates; only shown for such files. */
+/** Which texcoord set of a glTF gets the new coordinates; only shown where it has some, or textures. */
 export class TexcoordChoice {
   private readonly select = element('texcoord', HTMLSelectElement);
   /** What the user chose for the open file; null if nothing yet. */
@@ -20,12 +20,14 @@ export class TexcoordChoice {
    */
   show(outcome: Outcome | null, isNew: boolean): void {
     if (isNew) this.chosen = null;
-    const free = outcome?.gltf?.freeTexcoord ?? 0;
-    this.select.hidden = free === 0;
-    if (!outcome || free === 0) return;
+    const { freeTexcoord: free = 0, texcoordSets = 0 } = outcome?.gltf ?? {};
+    this.select.hidden = free === 0 && texcoordSets === 0;
+    if (!outcome || this.select.hidden) return;
+    const added = Math.max(free, texcoordSets);
+    const replaced = Array.from({ length: Math.max(1, texcoordSets) }, (_, set) => set);
     this.select.replaceChildren(
-      new Option(UV_SETS.added(free), String(free)),
-      new Option(UV_SETS.replaced(0), '0'),
+      new Option(UV_SETS.added(added), String(added)),
+      ...replaced.map((set) => new Option(UV_SETS.replaced(set), String(set))),
     );
     this.select.value = String(this.chosen ?? usual(outcome, free));
   }

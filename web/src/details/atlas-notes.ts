@@ -1,6 +1,6 @@
 import type { RepairReport, UnwrapReport } from 'abflat';
 import { ATLAS_NOTES } from '../base/english';
-import { sentence } from '../base/format';
+import { ended, sentence } from '../base/format';
 import type { Unwrapped } from '../model/model';
 
 /** The most places to name before the list gets too long. */
@@ -19,7 +19,7 @@ export function atlasNotes({ result: { report }, gltf }: Unwrapped): string[] {
     ...report.notes,
     ...fallbacks(report),
   ];
-  return all.map((note) => `${sentence(note).replace(/\.$/, '')}.`);
+  return all.map((note) => ended(sentence(note)));
 }
 
 function problems({ charts }: UnwrapReport): string[] {

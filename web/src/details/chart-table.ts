@@ -48,6 +48,11 @@ export class ChartTable {
     this.fill();
   }
 
+  clear(): void {
+    this.rows = [];
+    this.fill();
+  }
+
   showSelected(charts: ReadonlySet<number>): void {
     this.selected = charts;
     for (const row of this.body.rows)

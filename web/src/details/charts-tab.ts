@@ -55,6 +55,14 @@ export class ChartsTab {
     this.pack.disabled = false;
   }
 
+  /** There is no atlas. */
+  clear(): void {
+    this.notes.hidden = true;
+    this.summary.textContent = '';
+    this.table.clear();
+    this.pack.disabled = true;
+  }
+
   showSelected(charts: ReadonlySet<number>): void {
     this.table.showSelected(charts);
   }

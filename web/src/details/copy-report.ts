@@ -17,6 +17,11 @@ export class CopyReport {
     this.button.disabled = false;
   }
 
+  clear(): void {
+    this.outcome = null;
+    this.button.disabled = true;
+  }
+
   private async copy(): Promise<void> {
     if (!this.outcome) return;
     try {

@@ -99,6 +99,8 @@ const TIME: Metric<{ timings: { total: number } }> = {
   value: ({ timings }) => duration(timings.total),
 };
 
+const NO_VALUE = '\u2013';
+
 const GRADES: Record<Verdict['badge'], string> = {
   [BADGES.valid]: 'good',
   [BADGES.stretched]: 'warn',
@@ -132,7 +134,7 @@ export class MetricsPanel {
       const { measure } = target instanceof HTMLButtonElement ? target.dataset : {};
       if (measure) events.showWorst?.(measure as Measure);
     });
-    this.list.append(...[...OF_DISK, TIME].map(({ label, title }) => item(label, title, '\u2013')));
+    this.list.append(...[...OF_DISK, TIME].map(({ label, title }) => item(label, title, NO_VALUE)));
   }
 
   show(outcome: Outcome): void {
@@ -151,16 +153,28 @@ export class MetricsPanel {
     const noteCount = notesOf(outcome).length;
     this.notesButton.textContent = METRICS.notes(noteCount);
     this.notesButton.hidden = noteCount === 0;
-    this.markStale(null);
+    this.mark(null);
   }
 
-  /**
-   * Marks the numbers as those of an earlier state, named by `owner`; null means they are current.
-   */
-  markStale(owner: string | null): void {
-    this.panel.classList.toggle('stale', owner !== null);
-    this.setReason(owner === null ? (this.verdict?.reason ?? '') : METRICS.of(owner));
-    this.showRemedy(owner === null ? (this.verdict?.remedy ?? null) : null);
+  /** There is no result. */
+  clear(): void {
+    for (const value of this.list.querySelectorAll('dd')) {
+      value.className = '';
+      value.textContent = NO_VALUE;
+    }
+    this.verdict = null;
+    this.badge.textContent = BADGES.none;
+    this.badge.className = 'badge';
+    this.notesButton.hidden = true;
+    this.mark(null);
+  }
+
+  /** Says that the numbers are not those of what is on screen, but of `owner`; null: they are. */
+  mark(other: { text: string; owner: string } | null): void {
+    this.panel.classList.toggle('stale', other !== null);
+    if (other) this.setReason(other.text, other.owner);
+    else this.setReason(this.verdict?.reason ?? '');
+    this.showRemedy(other ? null : (this.verdict?.remedy ?? null));
   }
 
   private itemsOf<S>(metrics: Metric<S>[], subject: S): HTMLElement[] {
@@ -179,9 +193,9 @@ export class MetricsPanel {
     this.remedyButton.title = REMEDIES[remedy].title;
   }
 
-  private setReason(text: string): void {
+  private setReason(text: string, title = text): void {
     this.reason.textContent = text;
-    this.reason.title = text;
+    this.reason.title = title;
   }
 }
 

@@ -1,6 +1,6 @@
 import type { ChartReport, DelaunayReport } from 'abflat';
 import { DISK_NOTES } from '../base/english';
-import { sentence } from '../base/format';
+import { ended, sentence } from '../base/format';
 
 /**
  * What is worth knowing about a result beyond its numbers, one sentence each: why it is not valid,
@@ -10,7 +10,7 @@ export function notes(chart: ChartReport): string[] {
   const all = [...(chart.problem ? [chart.problem] : []), ...chart.fallbacks];
   if (chart.bounds.length > 0) all.push(tightening(chart));
   if (chart.delaunay?.resisting.length === 0) all.push(delaunayNote(chart, chart.delaunay));
-  return all.map((note) => `${sentence(note).replace(/\.$/, '')}.`);
+  return all.map((note) => ended(sentence(note)));
 }
 
 function delaunayNote(

@@ -34,6 +34,13 @@ export class SolverTab {
     this.residuals.show(({ residualChart }) => residualChart(history));
     this.activeSet.show(({ activeSetChart }) => activeSetChart(history));
   }
+
+  /** There is no layout. */
+  clear(): void {
+    this.notes.hidden = true;
+    this.summary.textContent = '';
+    this.plots.hidden = true;
+  }
 }
 
 function summary({ solver, iterations, converged, constraintResidual }: ChartReport): string {

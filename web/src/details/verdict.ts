@@ -7,7 +7,7 @@ import type { Outcome, Unwrapped } from '../model/model';
 export type Remedy = 'cut' | 'unwrap';
 
 export interface Verdict {
-  badge: (typeof BADGES)[keyof typeof BADGES];
+  badge: (typeof BADGES)[Exclude<keyof typeof BADGES, 'none'>];
   /** One sentence on why. */
   reason: string;
   /** What the user can do about it; null if no single click helps. */
@@ -19,6 +19,10 @@ export interface Verdict {
  * edges change on average.
  */
 const MOST_CHANGE = 0.5;
+
+/** How abflat says that a chart of an atlas is in the wrong place. */
+const OUTSIDE = /^it extends beyond its tile/;
+const OVERLAPPING = /^it touches or overlaps the chart/;
 
 /**
  * Judges what the user cares about: first that nothing overlaps, then that nothing is stretched too
@@ -67,7 +71,15 @@ function above(stretch: number, limit: number): string {
   return stretch.toFixed(digits ?? 6);
 }
 
+/** Why charts are not valid: how many of each kind. */
 function defects({ charts }: UnwrapReport): string {
-  const bad = charts.filter((chart) => !chart.valid);
-  return VERDICT.defects(bad.length, charts.length, bad[0].problem);
+  const problems = charts.filter((chart) => !chart.valid).map(({ problem }) => problem);
+  const outside = problems.filter((problem) => OUTSIDE.test(problem));
+  const overlapping = problems.filter((problem) => OVERLAPPING.test(problem));
+  const others = problems.filter((problem) => !OUTSIDE.test(problem) && !OVERLAPPING.test(problem));
+  return [
+    ...(outside.length > 0 ? [VERDICT.outside(outside.length)] : []),
+    ...(overlapping.length > 0 ? [VERDICT.overlapping(overlapping.length)] : []),
+    ...(others.length > 0 ? [VERDICT.defects(others.length, others[0])] : []),
+  ].join(', ');
 }

@@ -66,8 +66,8 @@ export class ExportControl {
 
   private show(): void {
     const { earlier } = this;
-    const text = earlier ? EXPORT.exportEarlier : EXPORT.export;
-    this.text.textContent = text(this.chosen.toUpperCase());
-    this.button.title = earlier ? EXPORT.stillShown(earlier) : '';
+    const format = this.chosen.toUpperCase();
+    this.text.textContent = earlier ? EXPORT.exportLast : EXPORT.export(format);
+    this.button.title = earlier ? EXPORT.previous(earlier) : '';
   }
 }

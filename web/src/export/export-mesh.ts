@@ -57,8 +57,12 @@ async function convert({ outcome, format }: Wish, name: string, writers: Writers
 }
 
 function before({ outcome, format, texcoord }: Wish): string[] {
-  if (format !== 'glb' || !outcome.gltf?.freeTexcoord) return [];
-  return [texcoord === 0 ? EXPORT.replaced : EXPORT.added(texcoord)];
+  const { gltf } = outcome;
+  if (format !== 'glb' || !gltf || (gltf.freeTexcoord === 0 && gltf.texcoordSets === 0)) return [];
+  if (gltf.paintedSets.includes(texcoord)) return [EXPORT.replacedPainted(texcoord)];
+  if (texcoord < gltf.texcoordSets) return [EXPORT.replaced(texcoord)];
+  const isPainted = gltf.paintedSets.length > 0;
+  return [isPainted ? EXPORT.addedToPainted(texcoord) : EXPORT.added(texcoord)];
 }
 
 function after({ outcome, format }: Wish): string {

@@ -1,7 +1,7 @@
 // Reads glTF files as one mesh, and writes them back with its new coordinates.
 
-import type { Document } from '@gltf-transform/core';
-import { documentMesh, freeTexcoord, setTexcoords } from 'abflat/gltf';
+import type { Document, Primitive } from '@gltf-transform/core';
+import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords } from 'abflat/gltf';
 import { GLTF } from '../base/english';
 import type { GltfFile, GltfFiles, LayoutArrays } from '../model/model';
 import { compressionsOf, decompressed } from './compression';
@@ -58,18 +58,27 @@ export async function writeGltf(
   return new Blob([await glbOf(document)], { type: 'model/gltf-binary' });
 }
 
-function contentOf(
-  name: string,
-  document: Document,
-): Pick<GltfFile, 'mesh' | 'freeTexcoord' | 'notes' | 'compressions'> {
+function contentOf(name: string, document: Document): Omit<GltfFile, 'files'> {
   const { positions, indices, texcoords, materials, notes } = documentMesh(document);
   if (indices.length === 0) throw new Error(GLTF.noTriangles(name));
+  const primitives = document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => mesh.listPrimitives());
   return {
     mesh: { positions, indices, texcoords, materials },
     freeTexcoord: freeTexcoord(document),
     notes,
+    texcoordSets: texcoordSets(primitives),
+    paintedSets: sampledTexcoords(primitives),
     compressions: [],
   };
+}
+
+function texcoordSets(primitives: Primitive[]): number {
+  let sets = 0;
+  for (const primitive of primitives) while (primitive.getAttribute(`TEXCOORD_${sets}`)) ++sets;
+  return sets;
 }
 
 const fileOf = (name: string, bytes: Uint8Array) =>

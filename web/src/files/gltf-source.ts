@@ -2,7 +2,7 @@
 
 import { type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
-import { GLTF } from '../base/english';
+import { GLTF, READING } from '../base/english';
 import { NEWER } from './meshopt-views';
 
 const KNOWN = new Set<string>([...ALL_EXTENSIONS.map((each) => each.EXTENSION_NAME), NEWER]);
@@ -24,6 +24,7 @@ export const gltfIo = () => new WebIO().registerExtensions(ALL_EXTENSIONS);
 export async function openGltf(file: File, others: File[]): Promise<Opened> {
   const { name } = file;
   const bytes = new Uint8Array(await file.arrayBuffer());
+  if (bytes.length === 0) throw new Error(READING.empty(name));
   const isBinary = new TextDecoder().decode(bytes.subarray(0, 4)) === 'glTF';
   const opened = isBinary ? await openBinary(name, bytes) : await openText(name, bytes, others);
   checkExtensions(name, opened.source);
@@ -66,7 +67,8 @@ function parseJson(name: string, text: string): JSONDocument['json'] {
   try {
     return JSON.parse(text);
   } catch (error) {
-    throw new Error(GLTF.notJson(name, String(error)));
+    const { message } = error as Error;
+    throw new Error(/\.glb$/i.test(name) ? GLTF.notGlb(name) : GLTF.notJson(name, message));
   }
 }
 

@@ -52,6 +52,10 @@ export interface GltfFile {
   mesh: ArrayMesh;
   /** The first texcoord set that no texture depends on: 0 if no texture uses that set. */
   freeTexcoord: number;
+  /** How many texcoord sets it has. */
+  texcoordSets: number;
+  /** The sets that textures use. */
+  paintedSets: number[];
   files: GltfFiles;
   /** What to know about how it was read, one sentence each. */
   notes: string[];

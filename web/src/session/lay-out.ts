@@ -78,6 +78,7 @@ export async function layOut(
       ...options,
       ...known,
       ...file,
+      keepsValidOnly: true,
       transfer: true,
       roundsForGltf,
       ...watch,

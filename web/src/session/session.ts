@@ -15,6 +15,7 @@ import {
 } from '../model/model';
 import type { Settings } from '../model/settings';
 import { layOut } from './lay-out';
+import { notSupported } from './words';
 
 export interface SessionEvents {
   /** A mesh is being read, or laid out if there are `settings`. */
@@ -223,7 +224,7 @@ export class Session {
     const mesh = await abflat
       .load(await copied(input), { signal, transfer: true })
       .catch((error: unknown) => {
-        throw isUnknownFormat(error) ? new Error(READING.notSupported(source.name)) : error;
+        throw isUnknownFormat(error) ? new Error(notSupported(source.name)) : error;
       });
     const [summary, drawing] = await Promise.all([
       abflat.inspect(await copied(input), { signal, transfer: true }),

@@ -1,6 +1,6 @@
 import { FLATTEN_DEFAULTS, type MeshSummary, UNWRAP_DEFAULTS } from 'abflat';
-import { LAYING_OUT, RUN, SETTINGS, SHOWN } from '../base/english';
-import { inPageWords } from '../base/format';
+import { LAYING_OUT, READING, RUN, SETTINGS, SHOWN } from '../base/english';
+import { ended, inPageWords } from '../base/format';
 import type { DisplayMesh } from '../mesh/mesh';
 import { foundChart } from '../model/found-chart';
 import type { Flattened, Outcome, Source } from '../model/model';
@@ -34,10 +34,17 @@ export function facesText({ indices }: DisplayMesh, { faces }: MeshSummary): str
   return faces === triangles ? SHOWN.triangles(triangles) : SHOWN.polygons(faces, triangles);
 }
 
+/** Files of programs that can export glTF. */
+const SCENE = /\.(fbx|blend|dae|3ds|max|m[ab]|c4d|lwo|abc|usd[acz]?)$/i;
+
+/** What to do with a file in a format that is not read. */
+export const notSupported = (name: string): string =>
+  SCENE.test(name) ? READING.scene(name) : READING.notSupported(name);
+
 /** What went wrong as a sentence that names the mesh. */
 export function failure(source: Source, settings: Settings | null, message: string): string {
-  const text = inPageWords(message).replace(/\.$/, '');
-  if (text.includes(source.name)) return `${text}.`;
+  const text = inPageWords(message);
+  if (text.includes(source.name)) return ended(text);
   return RUN.failed(titleOf(source), settings && LAYING_OUT[settings.mode].done, text);
 }
 

@@ -124,8 +124,17 @@ export class LayoutView {
     else this.stage.invalidate();
   }
 
+  /** Shows no layout, until there is another one. */
+  clear(): void {
+    this.surface.stop();
+    this.scene.visible = false;
+    this.labels.show(0);
+    this.stage.invalidate();
+  }
+
   /** Shows everything besides the triangles. */
   private showParts(layout: LayoutDrawing, edgeCharts: Uint32Array, isAtlas: boolean): void {
+    this.scene.visible = true;
     this.isAtlas = isAtlas;
     this.pins.setPlane(layout.middle, layout.unit);
     if (this.isPlaced) this.move(new Set(), STILL);
@@ -231,6 +240,7 @@ export class LayoutView {
 
   /** The chart at a pixel; null if there is none. */
   chartAt(at: Pixel): number | null {
+    if (!this.scene.visible) return null;
     return this.picker.chartAt(at, this.surface.object, this.camera, this.stage);
   }
 

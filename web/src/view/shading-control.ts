@@ -78,6 +78,12 @@ export class ShadingControl {
     this.showLegend();
   }
 
+  /** There is no layout. */
+  clear(): void {
+    this.spreads = null;
+    this.showLegend();
+  }
+
   showWorst(measure: Measure): void {
     this.use(measure);
     this.legend.showWorst();

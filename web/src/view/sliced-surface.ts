@@ -52,7 +52,7 @@ export class SlicedSurface {
 
   /** `arrived` is called in the frame that first shows the triangles. */
   show(arrays: SurfaceArrays, arrived: () => void): void {
-    for (const buffer of this.arriving?.buffers ?? []) this.gl.deleteBuffer(buffer);
+    this.stop();
     const geometry = new BufferGeometry();
     geometry.boundingSphere = new Sphere(); // else the renderer loops over all corners to sort
     const left: Arriving['left'] = [];
@@ -68,6 +68,12 @@ export class SlicedSurface {
       left.push({ buffer, array, from: 0 });
     }
     this.arriving = { arrays, geometry, buffers: left.map(({ buffer }) => buffer), left, arrived };
+  }
+
+  /** What has not arrived yet does not come. */
+  stop(): void {
+    for (const buffer of this.arriving?.buffers ?? []) this.gl.deleteBuffer(buffer);
+    this.arriving = null;
   }
 
   /** Called before each frame. Returns whether everything has arrived. */

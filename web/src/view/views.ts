@@ -90,9 +90,18 @@ export class Views {
     this.drawBounds();
   }
 
-  /** Shows a mesh that is not flattened (yet); the layout of the previous mesh stays. */
+  /** Shows a mesh that is not flattened (yet). */
   showMesh(drawing: Drawing): void {
     this.mesh.show(drawing);
+    this.showBoundary(null);
+  }
+
+  /** Shows no layout. */
+  clearLayout(): void {
+    this.shownSource = null;
+    this.layout.clear();
+    this.shading.clear();
+    showMarksLegend(null);
     this.showBoundary(null);
   }
 

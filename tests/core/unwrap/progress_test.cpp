@@ -1,0 +1,40 @@
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "catch.h"
+#include "support/meshes.h"
+#include "support/unwrapped.h"
+#include "unwrap/monitor.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+TEST_CASE("the share of work of unknown amount grows, without ever reaching all", "[progress]") {
+  constexpr int kUsual = 40;
+  Approach work(kUsual);
+  double last = 0;
+  for (int step = 1; step <= 100 * kUsual; ++step) {
+    const double share = work.next();
+    CHECK(share > last);
+    CHECK(share < 1);
+    if (step == kUsual) CHECK(share == 0.5);
+    last = share;
+  }
+}
+
+TEST_CASE("progress moves while seams are searched for", "[progress]") {
+  std::vector<double> shares;
+  UnwrapOptions options = severalCharts();
+  options.progress = [&](const Progress& now) {
+    if (now.stage == Stage::Seams) shares.push_back(now.fraction);
+    return true;
+  };
+  unwrapped(torus(48, 32), options);
+  REQUIRE(!shares.empty());
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  CHECK(std::set<double>(shares.begin(), shares.end()).size() > 10);
+  CHECK(shares.front() >= kSeams.from);
+  CHECK(shares.back() < kSeams.to);
+}
