@@ -57,11 +57,14 @@ export class MeshTabs {
   private remove(source: Source): void {
     const at = this.sources.indexOf(source);
     const left = this.sources.filter((each) => each !== source);
+    const isShown = source === this.shown;
     const next = left[Math.min(at, left.length - 1)];
     this.sources = left.length > 1 ? left : [];
+    // It stays on screen until the next one is read, but is not open any more.
+    if (isShown) this.shown = null;
     this.draw();
-    if (source === this.shown) this.events.open(next);
-    const focused = this.tabOf(source === this.shown ? next : this.shown);
+    if (isShown) this.events.open(next);
+    const focused = this.tabOf(isShown ? next : this.shown);
     (focused ?? element('mesh-canvas', HTMLElement)).focus();
   }
 
