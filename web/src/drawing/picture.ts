@@ -53,7 +53,7 @@ export type AtlasArrays = Pick<
 export interface AtlasSize {
   tiles: number;
   chartCount: number;
-  /** The number of each chart's colour, if it has one already. */
+  /** The number of each chart's colour, if it has one already; -1 for others. */
   colors?: Float32Array;
   /** The texel density that each face asks for, relative to the others. */
   asked?: FaceDensities;
@@ -82,7 +82,7 @@ export function atlasPicture(
     areas: chartAreas(mesh, chartOfTriangle, chartCount, { asked, faces: input.faces }),
     tiles,
     source: meshCorners(input, atlas),
-    chartColors: colors ?? chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }),
+    chartColors: chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }, colors),
   };
 }
 
