@@ -312,10 +312,13 @@ test('charts keep their colours as long as they have the same triangles', async 
   assert.equal(kept.of(charts(0, 1), 2), undefined);
   const colors = Float32Array.of(3, 5);
   kept.keep(charts(0, 1, 1), colors);
-  assert.equal(kept.of(charts(0, 1, 1), 2), colors);
-  assert.equal(kept.of(charts(0, 0, 1), 2), undefined);
-  assert.equal(kept.of(charts(0, 1), 2), undefined);
-  assert.equal(kept.of(charts(0, 1, 1), 3), undefined);
+  const of = (...numbers) => [...kept.of(charts(...numbers), Math.max(...numbers) + 1)];
+  assert.deepEqual(of(0, 1, 1), [3, 5]);
+  assert.deepEqual(of(1, 0, 0), [5, 3], 'whatever their numbers are');
+  assert.deepEqual(of(0, 0, 1), [-1, -1], 'none has the triangles of an earlier one');
+  assert.deepEqual(of(0, 1, 2), [3, -1, -1], 'one was cut');
+  assert.deepEqual(of(0, 0, 0), [-1], 'they were joined');
+  assert.equal(kept.of(charts(0, 1), 2), undefined, 'of another mesh');
 });
 
 test('a check that ends after the next move does not take that back', async () => {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { objText, together } from '../support/surfaces.mjs';
-import { atlas, middleOf, pixelOf } from './layout.mjs';
+import { atlas, middleOf } from './layout.mjs';
 import { exportAs, metrics, openPage, settled, textOf } from './page.mjs';
 
 /** A square that is a chart as it is, and one that lacks a corner. */
@@ -89,15 +89,15 @@ test('stacked charts are valid, stay stacked when all is packed again, and are e
 
   // A chart that comes to lie on a stack by accident is a fault.
   const [to, from] = [0, 3].map((chart) => middleOf(shown.uv[FACES * chart]));
-  await page.click('#details-close');
-  const [toX, toY] = await pixelOf(page, to);
-  const [fromX, fromY] = await pixelOf(page, from);
-  await page.mouse.click(fromX, fromY);
-  await page.mouse.move(fromX, fromY);
-  await page.mouse.down();
-  await page.mouse.move(toX, toY, { steps: 4 });
-  await page.mouse.up();
-  await settled(page);
+  await page.locator('#charts tbody tr').last().click();
+  for (const d of [0, 1]) {
+    await page.focus('#layout-canvas');
+    await page.keyboard.press('g');
+    await page.keyboard.press('xy'[d]);
+    await page.keyboard.type((to[d] - from[d]).toFixed(4));
+    await page.keyboard.press('Enter');
+    await settled(page);
+  }
   assert.equal(await textOf(page, '#badge'), 'Not valid');
   assert.match(await textOf(page, '#reason'), /overlaps the chart/);
 });
