@@ -107,7 +107,8 @@ export class Meshes {
   private async agrees(source: Source): Promise<boolean> {
     const { ask } = await loadPart(import('./opening/question'));
     const { close, whatIsLost, closeIt } = MESH_TABS;
-    return ask({ title: close(titleOf(source)), paragraphs: [whatIsLost], yes: closeIt });
+    const title = close(titleOf(source));
+    return ask({ title, paragraphs: [whatIsLost], yes: closeIt, isRisky: true });
   }
 
   private async joined(sources: FileSource[], signal: AbortSignal): Promise<File> {

@@ -7,10 +7,12 @@ export interface Question {
   paragraphs: string[];
   /** On the button that agrees. */
   yes: string;
+  /** Whether agreeing discards something, so that Enter does not. */
+  isRisky?: boolean;
 }
 
 /** Resolves when a button was pressed, or Escape. */
-export function ask({ title, paragraphs, yes }: Question): Promise<boolean> {
+export function ask({ title, paragraphs, yes, isRisky = false }: Question): Promise<boolean> {
   const sheet = create('dialog', 'sheet question');
   const heading = create('h2', 'question-title', title);
   heading.id = 'question-title';
@@ -20,7 +22,7 @@ export function ask({ title, paragraphs, yes }: Question): Promise<boolean> {
   const buttons = create('div', 'question-buttons');
   const [no, agree] = [answer(QUESTION.cancel, ''), answer(yes, 'yes')];
   agree.classList.add('primary');
-  agree.autofocus = true;
+  (isRisky ? no : agree).autofocus = true;
   buttons.append(no, agree);
   form.append(heading, ...paragraphs.map((text) => create('p', '', text)), buttons);
   sheet.append(form);
