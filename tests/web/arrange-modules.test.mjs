@@ -201,6 +201,63 @@ test('charts of one shape are stacked, wherever they are and however turned', as
   for (const point of KITE) areNear(moved(fixed.motions[0], point), moved(grown, point));
 });
 
+test('stacks are charts with the same outline, bit by bit, and each can be checked apart', async () => {
+  const { movedUv } = await load('arrange/move-charts');
+  const { stacked } = await load('arrange/stack');
+  const { apart, stacksOf } = await load('arrange/stacks');
+  const { moved, turned } = await load('arrange/motion');
+  const turn = turned([0.5, 0.5], 2);
+  const arrays = atlas([KITE, SQUARE, KITE.map((point) => moved(turn, point)), SQUARE, KITE]);
+  arrays.uv.set(arrays.uv.map(Math.fround));
+  assert.deepEqual(stacksOf(arrays).stacks, [
+    [0, 4],
+    [1, 3],
+  ]);
+  const found = stacked(arrays, charts(0, 2, 4), charts());
+  assert.equal(found.below, 1);
+  const uv = movedUv(arrays, found);
+  const together = { ...arrays, uv };
+  const { stacks, repeated } = stacksOf(together);
+  assert.deepEqual(stacks, [
+    [0, 2, 4],
+    [1, 3],
+  ]);
+  const areaOf = (points) =>
+    points.reduce((sum, [x1, y1], i) => {
+      const [x2, y2] = points[(i + 1) % points.length];
+      return sum + (x1 * y2 - x2 * y1) / 2;
+    }, 0);
+  assert.ok(Math.abs(repeated - 2 * areaOf(KITE) - areaOf(SQUARE)) < 1e-6);
+  const above = apart(together, stacks, 3);
+  uv.forEach((x, i) => {
+    const layer = [0, 0, 1, 1, 2][Math.floor(i / 8)];
+    assert.equal(above[i], i % 2 === 0 ? x : x + 3 * layer);
+  });
+  // What merely overlaps is no stack, and what cannot be moved exactly is not.
+  uv[16] += 1e-7;
+  assert.deepEqual(stacksOf(together).stacks, [
+    [0, 4],
+    [1, 3],
+  ]);
+  uv[33] = 1e-30;
+  assert.equal(apart(together, [[0, 4]], 1), null);
+});
+
+test('stacks follow their lowest chart when it is packed elsewhere, unless a chart was cut', async () => {
+  const { movedUv } = await load('arrange/move-charts');
+  const { restacked, stacksOf } = await load('arrange/stacks');
+  const { turned } = await load('arrange/motion');
+  const before = atlas([KITE, SQUARE, KITE]);
+  before.uv.set(before.uv.map(Math.fround));
+  const motions = [turned([0.3, 0.8], 1.3, 0.7), turned([0.1, 0.1], 0.2, 0.05)];
+  const now = { ...before, uv: movedUv(before, { charts: charts(0, 2), motions }) };
+  const uv = restacked(before, now, [[0, 2]]);
+  assert.deepEqual(stacksOf({ ...now, uv }).stacks, [[0, 2]]);
+  assert.deepEqual(uv.subarray(0, 16), now.uv.subarray(0, 16), 'others stay');
+  const cut = { ...now, chartOfTriangle: Uint32Array.of(0, 0, 1, 1, 2, 3) };
+  assert.equal(restacked(before, cut, [[0, 2]]), null);
+});
+
 test('even density gives charts as many texels per surface as the others have', async () => {
   const { evened } = await load('arrange/density');
   const arrays = atlas([SQUARE, SQUARE, SQUARE]);
@@ -255,10 +312,13 @@ test('charts keep their colours as long as they have the same triangles', async 
   assert.equal(kept.of(charts(0, 1), 2), undefined);
   const colors = Float32Array.of(3, 5);
   kept.keep(charts(0, 1, 1), colors);
-  assert.equal(kept.of(charts(0, 1, 1), 2), colors);
-  assert.equal(kept.of(charts(0, 0, 1), 2), undefined);
-  assert.equal(kept.of(charts(0, 1), 2), undefined);
-  assert.equal(kept.of(charts(0, 1, 1), 3), undefined);
+  const of = (...numbers) => [...kept.of(charts(...numbers), Math.max(...numbers) + 1)];
+  assert.deepEqual(of(0, 1, 1), [3, 5]);
+  assert.deepEqual(of(1, 0, 0), [5, 3], 'whatever their numbers are');
+  assert.deepEqual(of(0, 0, 1), [-1, -1], 'none has the triangles of an earlier one');
+  assert.deepEqual(of(0, 1, 2), [3, -1, -1], 'one was cut');
+  assert.deepEqual(of(0, 0, 0), [-1], 'they were joined');
+  assert.equal(kept.of(charts(0, 1), 2), undefined, 'of another mesh');
 });
 
 test('a check that ends after the next move does not take that back', async () => {

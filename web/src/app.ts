@@ -17,18 +17,20 @@ import { LastVisit } from './last-visit';
 import { Meshes } from './meshes';
 import type { FlatDrawing } from './model/drawing';
 import type { AnyProgress, Opened, Outcome, Source } from './model/model';
-import type { Settings } from './model/settings';
+import { isByHand, type Settings } from './model/settings';
 import { FIRST_SAMPLE } from './opening/open-mesh';
 import { PageHistory } from './page-history';
 import { Rest } from './rest';
 import { ResultPanels } from './result-panels';
 import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
-import { Session, type SessionEvents } from './session/session';
+import { type Left, LeftMeshes } from './session/left-meshes';
+import { Session, type SessionEvents, type Shown } from './session/session';
 import type { Step } from './session/steps';
 import { titleOf } from './session/titles';
 import { failure, isOnlyPlaced, kept, settingsText } from './session/words';
 import { ownImages } from './shown-image';
+import { Unsaved } from './unsaved';
 import type { Views } from './view/views';
 import { Wishes } from './wishes';
 import { Workshop } from './workshop/workshop';
@@ -41,6 +43,9 @@ export class App implements SessionEvents {
   private readonly wishes: Wishes;
   private readonly visit = new LastVisit((settings) => this.follow(settings));
   private readonly history = new PageHistory((step, said) => this.goBack(step, said));
+  /** Those open in other tabs. */
+  private readonly left = new LeftMeshes();
+  private readonly unsaved = new Unsaved(() => this.meshes.updateTabs());
   private readonly result: ResultPanels;
   private readonly seams: SeamPanel;
   private readonly tools: HandTools | null;
@@ -83,15 +88,18 @@ export class App implements SessionEvents {
       locked: (what) => this.locked(what),
       say: this.say,
     });
-    this.saving = new Saving(this.session, this.workshop, views, this.say);
+    this.saving = new Saving(this.session, this.workshop, views, {
+      exported: (outcome) => this.unsaved.saved(outcome),
+      say: this.say,
+    });
     this.tools =
       views &&
       new HandTools(views, this.workshop, this.session, this.wishes, {
         isFree: () => this.seams.isIdle,
         selected: (charts) => this.result.showSelected(charts),
         pinned: (what) => this.marked(what),
-        notPlaced: () => {
-          if (!this.session.isBusy) this.finish(MOVING.nothingMoved, false);
+        notPlaced: (why) => {
+          if (!this.session.isBusy) this.finish(why || MOVING.nothingMoved, false);
         },
         say: this.say,
       });
@@ -103,7 +111,12 @@ export class App implements SessionEvents {
         this.refusal = '';
         void this.session.open(source);
       },
-      switchTo: (source) => void this.session.open(source),
+      switchTo: (source) => void this.session.open(source, this.left.get(source)),
+      closed: (source) => {
+        this.left.drop(source);
+        this.unsaved.drop(source);
+      },
+      isUnsaved: (source) => this.unsaved.has(source),
       refused: (reason) => this.refuse(reason),
       say: this.say,
     });
@@ -140,9 +153,16 @@ export class App implements SessionEvents {
     this.said = what ?? '';
     this.visit.changed();
     this.history.change(settings, what);
+    this.noteWork();
     this.result.use(settings);
     this.tools?.update();
     this.session.refresh();
+  }
+
+  /** There may be work by hand on the mesh on screen that no file has. */
+  private noteWork(): void {
+    const { shown } = this.meshes;
+    if (shown) this.unsaved.want(shown, this.wishes.both);
   }
 
   /** Switches the page to the other kind of layout. */
@@ -167,6 +187,7 @@ export class App implements SessionEvents {
 
   private remedy(remedy: Remedy): void {
     if (remedy === 'unwrap') this.wishes.mode.choose('unwrap');
+    else if (remedy === 'pack') this.wishes.packAgain();
     else this.seams.cutFurther();
   }
 
@@ -207,6 +228,7 @@ export class App implements SessionEvents {
     this.wishes.restore(settings);
     if (isOther) this.showMode();
     this.tools?.update();
+    this.noteWork();
   }
 
   /** The address of the page got other settings. */
@@ -235,25 +257,39 @@ export class App implements SessionEvents {
     this.run.progress(progress);
   }
 
-  opened(opened: Opened): void {
+  opened(opened: Opened, before: Shown | null): void {
     const { source, mesh, summary } = opened;
     hideAlert();
-    this.wishes.open({ mesh, summary, name: source.name });
-    const asked = this.visit.opened(opened);
-    if (asked) this.ask(asked);
-    this.history.begin(CHANGES.opened(titleOf(source)), this.wishes.settings);
-    this.saving.open(source);
+    const last = before && { ...before, history: this.history.list, settings: this.wishes.both };
+    const left = this.left.get(source);
     this.tools?.clear();
-    this.meshes.show(opened);
+    this.meshes.show(opened, last?.settings.some(isByHand) ?? false);
+    if (last) this.leave(last);
+    this.wishes.open({ mesh, summary, name: source.name });
+    const asked = this.visit.opened(opened, left !== undefined);
+    for (const settings of left?.settings ?? (asked ? [asked] : [])) this.ask(settings);
+    if (left) this.history.resume(left.history);
+    else this.history.begin(CHANGES.opened(titleOf(source)), this.wishes.settings);
+    this.left.drop(source);
+    this.said = left ? RUN.shownAgain(titleOf(source)) : '';
+    this.noteWork();
+    this.saving.open(source);
     this.meshes.remark(this.visit.takeRemarks());
     this.result.open(source);
+  }
+
+  /** Another mesh is shown. One that is still open can be shown again as it was. */
+  private leave(last: Left & Shown): void {
+    const { source } = last.opened;
+    if (this.meshes.has(source)) this.left.leave(last);
+    else this.unsaved.drop(source);
   }
 
   laidOut(outcome: Outcome, drawing: FlatDrawing): void {
     const { report } = outcome.result;
     this.show(outcome, drawing);
     this.rest.load();
-    const { badge } = verdictOf(outcome);
+    const { badge } = verdictOf(outcome, drawing.areas);
     const but = badge === BADGES.valid ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
     const { done } = LAYING_OUT[outcome.mode];
@@ -264,6 +300,7 @@ export class App implements SessionEvents {
   }
 
   restored(outcome: Outcome, drawing: FlatDrawing): void {
+    if (outcome.mode === 'unwrap') void this.seams.prepare();
     this.show(outcome, drawing);
     this.finish(this.said, false);
   }

@@ -1,4 +1,5 @@
 import type { ChartMesh } from './arrange/chart-mesh';
+import { STACKING } from './base/english';
 import type { Unwrapped } from './model/model';
 import type { UnwrapSettings } from './model/settings';
 import { type Change, Placement, type PlacementEvents } from './placement';
@@ -36,9 +37,9 @@ export class Arranging {
         this.selection.showDensity();
         events.placed(layout, densities, what);
       },
-      notPlaced: (error) => {
+      notPlaced: (error, why) => {
         this.pins.show();
-        events.notPlaced(error);
+        events.notPlaced(error, why);
       },
     });
     this.pins = new PinTool(views, {
@@ -59,7 +60,15 @@ export class Arranging {
       arranged: (arranged, what) =>
         place(async (outcome) => {
           const motions = await workshop.motions(outcome, arranged);
-          return { uv: await workshop.moved(outcome.result, motions) };
+          const { charts, below } = motions;
+          if (below === 0) return STACKING.noneFits;
+          const uv = await workshop.moved(outcome.result, motions);
+          if (below === undefined || !('how' in arranged)) return { uv };
+          const stacked = charts.length + below;
+          return {
+            uv,
+            what: STACKING.done(stacked, arranged.charts.length + arranged.fixed.length),
+          };
         }, what),
       say: (text) => events.say(text),
     });

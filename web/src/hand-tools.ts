@@ -12,8 +12,8 @@ import type { Workshop } from './workshop/workshop';
 export interface HandEvents extends Pick<ArrangingEvents, 'isFree' | 'selected' | 'say'> {
   /** Other vertices are pinned; `what` was done. */
   pinned(what: string): void;
-  /** What was about to move stays in place. */
-  notPlaced(): void;
+  /** What was about to move stays in place; '' if there is no other reason than that it went wrong. */
+  notPlaced(why: string): void;
 }
 
 /** What changes a layout by hand: charts are arranged, the bounds of a disk are painted. */
@@ -38,9 +38,9 @@ export class HandTools {
       },
       placing: () => document.body.setAttribute('aria-busy', 'true'),
       placed: (layout, densities, what) => wishes.place(layout, densities, what),
-      notPlaced: (error) => {
+      notPlaced: (error, why = '') => {
         if (error) showAlert(MOVING.failed(error.message));
-        events.notPlaced();
+        events.notPlaced(why);
       },
     });
     this.painting = new BoundPainting(views, workshop, {

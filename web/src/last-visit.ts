@@ -94,8 +94,8 @@ export class LastVisit {
     }
   }
 
-  /** What to ask for, now that a mesh was opened; null: what the page does by itself. */
-  opened({ source, summary }: Opened): Settings | null {
+  /** What to ask for, now that a mesh was opened or is shown again; null: what the page does by itself. */
+  opened({ source, summary }: Opened, isShownAgain: boolean): Settings | null {
     const { link, found } = this;
     this.isKept ||= this.summary !== null;
     this.summary = summary;
@@ -109,7 +109,8 @@ export class LastVisit {
         return settingsAskedFor(found.asked);
       }
     }
-    return linked && fitting(linked, summary);
+    if (isShownAgain) link.linked = null;
+    return isShownAgain ? null : linked && fitting(linked, summary);
   }
 
   /** The user asks for something else. */

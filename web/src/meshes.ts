@@ -1,6 +1,6 @@
 import type { Abflat } from 'abflat';
 import { element } from './base/dom';
-import { SHOWN } from './base/english';
+import { MESH_TABS, SHOWN } from './base/english';
 import { loadPart } from './base/load-part';
 import { Notice } from './controls/notice';
 import { Welcome } from './help/welcome';
@@ -18,6 +18,10 @@ import type { Workshop } from './workshop/workshop';
 export interface MeshesEvents extends Omit<OpenEvents, 'joined' | 'images'>, ShownImageEvents {
   /** The mesh of another tab is wanted. */
   switchTo(source: Source): void;
+  /** A mesh is not open any more. */
+  closed(source: Source): void;
+  /** Whether there is work by hand that is in no file. */
+  isUnsaved(source: Source): boolean;
 }
 
 /** Where meshes come from, and the one on screen. */
@@ -41,7 +45,12 @@ export class Meshes {
   ) {
     this.look = new ShownLook(workshop, this.notice);
     this.image = new ShownImage(views, this.notice, events);
-    this.tabs = new MeshTabs((source) => events.switchTo(source));
+    this.tabs = new MeshTabs({
+      open: (source) => events.switchTo(source),
+      mayClose: async (source) => !events.isUnsaved(source) || (await this.agrees(source)),
+      closed: (source) => events.closed(source),
+      isUnsaved: (source) => events.isUnsaved(source),
+    });
     this.opening = new Opening({
       ...events,
       images: (files) => void this.image.open(files),
@@ -54,11 +63,21 @@ export class Meshes {
     return this.source;
   }
 
-  /** A mesh was opened. */
-  show(opened: Opened): void {
+  /** Whether it is open, shown or not. */
+  has(source: Source): boolean {
+    return source === this.source || this.tabs.has(source);
+  }
+
+  /** Other meshes may have work that is in no file. */
+  updateTabs(): void {
+    this.tabs.update();
+  }
+
+  /** A mesh was opened. `keepsLast`: the one before stays open in a tab. */
+  show(opened: Opened, keepsLast: boolean): void {
     const { source, mesh, summary, drawing, gltf } = opened;
     this.source = source;
-    this.tabs.show(source);
+    this.tabs.show(source, keepsLast);
     if (source.kind === 'file') {
       this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
       this.welcome.done();
@@ -83,6 +102,13 @@ export class Meshes {
   /** Ends what is being fetched or joined; returns whether there was anything. */
   stop(): boolean {
     return this.opening.stop();
+  }
+
+  private async agrees(source: Source): Promise<boolean> {
+    const { ask } = await loadPart(import('./opening/question'));
+    const { close, whatIsLost, closeIt } = MESH_TABS;
+    const title = close(titleOf(source));
+    return ask({ title, paragraphs: [whatIsLost], yes: closeIt, isRisky: true });
   }
 
   private async joined(sources: FileSource[], signal: AbortSignal): Promise<File> {

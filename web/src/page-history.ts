@@ -3,7 +3,7 @@ import { StepButtons } from './controls/step-buttons';
 import { HistoryTab } from './details/history-tab';
 import type { Outcome } from './model/model';
 import type { Settings } from './model/settings';
-import { type Step, Steps } from './session/steps';
+import { type Step, type StepList, Steps } from './session/steps';
 
 /** Undo, redo and the list of all steps. `restore` is called with a step to go back to, and what to say. */
 export class PageHistory {
@@ -19,6 +19,17 @@ export class PageHistory {
   /** Another mesh was opened. */
   begin(text: string, settings: Settings): void {
     this.steps.begin(text, settings);
+  }
+
+  /** To go on with when the mesh is shown again. */
+  get list(): StepList {
+    return this.steps.list;
+  }
+
+  /** A mesh is shown again; returns its current step. */
+  resume(list: StepList): Step {
+    this.steps.resume(list);
+    return list.steps[list.at];
   }
 
   /** The user wants something else; `what`, if the settings do not say so. */

@@ -8,17 +8,21 @@ import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
 /** The coordinates of an atlas whose charts are in other places, or bent. */
-export type Change = (
-  outcome: Unwrapped,
-) => Promise<Partial<Pick<UnwrapResult, 'uv' | 'unpacked'>>>;
+export interface Changed extends Partial<Pick<UnwrapResult, 'uv' | 'unpacked'>> {
+  /** What was done, if that is only known now. */
+  what?: string;
+}
+
+/** Changes an atlas; a text says why nothing is changed. */
+export type Change = (outcome: Unwrapped) => Promise<Changed | string>;
 
 export interface PlacementEvents {
   /** Charts are about to be in other places. */
   placing(): void;
   /** Charts are in other places; `what` was done. They keep these densities when they are packed anew. */
   placed(layout: UnwrapResult, densities: FaceDensities, what: string): void;
-  /** Nothing was moved: it went wrong, or another atlas has come in between. */
-  notPlaced(error: Error | null): void;
+  /** Nothing was moved: it went wrong, another atlas has come in between, or `why`. */
+  notPlaced(error: Error | null, why?: string): void;
 }
 
 /** Changes charts of the atlas on screen. They appear in their new places before abflat has checked them. */
@@ -68,7 +72,12 @@ export class Placement {
     this.events.placing();
     try {
       const changed = await change(outcome);
-      const result = { ...outcome.result, ...changed };
+      if (typeof changed === 'string') {
+        this.giveUp(null, changed);
+        return;
+      }
+      const { what: done = what, ...coordinates } = changed;
+      const result = { ...outcome.result, ...coordinates };
       const asked = this.workshop.keptDensities(outcome, result.uv);
       const drawn = this.workshop.outcome({ ...outcome, result });
       const [faceDensities, drawing] = await Promise.all([asked, drawn]);
@@ -79,15 +88,15 @@ export class Placement {
       }
       this.outcome = { ...outcome, settings, result };
       this.draw(drawing);
-      this.events.placed(result, faceDensities, what);
+      this.events.placed(result, faceDensities, done);
     } catch (error) {
       this.giveUp(error as Error);
     }
   }
 
-  private giveUp(error: Error | null): void {
+  private giveUp(error: Error | null, why?: string): void {
     this.views.moveCharts(new Set(), STILL);
-    this.events.notPlaced(error);
+    this.events.notPlaced(error, why);
   }
 
   private draw(drawing: FlatDrawing): void {

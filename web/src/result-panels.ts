@@ -145,7 +145,7 @@ export class ResultPanels {
   show(outcome: Outcome, drawing: FlatDrawing): void {
     this.last = { outcome, drawing };
     this.showLayout(outcome, drawing);
-    this.metrics.show(outcome);
+    this.metrics.show(outcome, drawing);
     this.copyReport.show(outcome);
     this.showDetails(outcome, drawing);
     this.markStale(outcome.settings);

@@ -15,6 +15,12 @@ import { ownerOf } from './stale-mark';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
+export interface SavingEvents {
+  /** A mesh with this layout is in a file. */
+  exported(outcome: Outcome): void;
+  say(text: string): void;
+}
+
 /** Everything that saves a file of a result. */
 export class Saving {
   private readonly exporter: Exporter;
@@ -34,10 +40,12 @@ export class Saving {
     session: Session,
     workshop: Workshop,
     private readonly views: Views | null,
-    private readonly say: (text: string) => void,
+    private readonly events: SavingEvents,
   ) {
+    const { say } = events;
     this.exporter = new Exporter(session, workshop, {
       say,
+      exported: ({ outcome }) => events.exported(outcome),
       failed: ({ outcome }, error) => this.notSaved(outcome, error),
     });
     this.bar = new LayoutBar(workshop, {
@@ -108,11 +116,11 @@ export class Saving {
 
   private savePicture(): void {
     const { views, shown, outcome } = this;
-    if (!views || !shown || !outcome) this.say(SAVING.notDrawn);
+    if (!views || !shown || !outcome) this.events.say(SAVING.notDrawn);
     else
       loadPart(import('./export/views-picture'))
         .then(({ savePicture }) => savePicture(views, shown.name))
-        .then(this.say, (error: Error) => this.notSaved(outcome, error));
+        .then(this.events.say, (error: Error) => this.notSaved(outcome, error));
   }
 
   private notSaved({ source, settings }: Outcome, { message }: Error): void {

@@ -54,7 +54,8 @@ export function askedOf(outcome: Outcome, { kept, pins }: Marks): Asked {
   const { seams, seamEdges, placed } = settings;
   if (seamEdges) asked.edited = { seams, seamEdges };
   const locked = kept?.layout === result ? kept.charts : new Uint32Array();
-  const isOwn = Boolean(seamEdges ?? placed) || locked.length > 0 || staysInPlace(outcome);
+  const isOwn =
+    Boolean(seamEdges ?? placed ?? outcome.stacks) || locked.length > 0 || staysInPlace(outcome);
   // A chart that is not valid, and was not moved, cannot be kept in its place.
   if (!isOwn || !(result.report.valid || staysInPlace(outcome))) return asked;
   return { ...asked, atlas: atlasOf(result), locked };

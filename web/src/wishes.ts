@@ -23,7 +23,7 @@ export class Wishes {
   readonly mode: ModeSwitch;
   readonly locks = new Locks();
   private readonly balance: BalanceControl;
-  private readonly atlas: AtlasControl;
+  private readonly options: AtlasControl;
   private readonly delaunay = element('delaunay', HTMLButtonElement);
   private placed: UnwrapSettings['placed'];
   private faceDensities: UnwrapSettings['faceDensities'];
@@ -37,7 +37,7 @@ export class Wishes {
     const changed = () => this.changed();
     this.bound = new BoundControl(changed, events.say);
     this.balance = new BalanceControl('flatten', changed);
-    this.atlas = new AtlasControl(changed, events.say);
+    this.options = new AtlasControl(changed, events.say);
     this.mode = new ModeSwitch(() => {
       this.placed = undefined;
       events.modeChanged();
@@ -49,10 +49,13 @@ export class Wishes {
   }
 
   get settings(): Settings {
-    if (this.mode.mode === 'flatten') return this.disk;
-    const { placed, faceDensities } = this;
-    const byHand = { ...(faceDensities && { faceDensities }), ...(placed && { placed }) };
-    return { ...this.atlas.settings, ...this.seams.options, ...this.marks, ...byHand };
+    return this.mode.mode === 'flatten' ? this.disk : this.atlas;
+  }
+
+  /** Of the other kind of layout, then of the one that is chosen. */
+  get both(): Settings[] {
+    const { atlas, disk } = this;
+    return this.mode.mode === 'flatten' ? [atlas, disk] : [disk, atlas];
   }
 
   /** What is marked in an atlas. */
@@ -64,6 +67,12 @@ export class Wishes {
   /** Vertices of the layout are pinned. */
   pin(pins: Uint32Array): void {
     this.pins = pins.length > 0 ? pins : undefined;
+  }
+
+  private get atlas(): UnwrapSettings {
+    const { placed, faceDensities } = this;
+    const byHand = { ...(faceDensities && { faceDensities }), ...(placed && { placed }) };
+    return { ...this.options.settings, ...this.seams.options, ...this.marks, ...byHand };
   }
 
   get disk(): FlattenSettings {
@@ -85,7 +94,7 @@ export class Wishes {
     this.faceDensities = undefined;
     this.ownBounds = undefined;
     this.pins = undefined;
-    this.atlas.open(mesh.summary);
+    this.options.open(mesh.summary);
     this.mode.setDisk(mesh.summary.disk);
     this.seams.open(mesh);
     this.showCutting();
@@ -128,7 +137,7 @@ export class Wishes {
     this.placed = settings.placed;
     this.faceDensities = settings.faceDensities;
     this.pins = settings.pins;
-    this.atlas.restore(settings);
+    this.options.restore(settings);
     this.seams.restore(settings);
     this.locks.restore(settings.kept);
     this.showCutting();
@@ -140,7 +149,7 @@ export class Wishes {
   }
 
   private showCutting(): void {
-    this.atlas.setCutting(isAutomatic(this.seams.options.seams));
+    this.options.setCutting(isAutomatic(this.seams.options.seams));
   }
 
   private get isDelaunay(): boolean {

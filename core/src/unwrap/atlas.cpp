@@ -90,6 +90,12 @@ double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& 
   return onSurface > 0 && inUv > 0 ? resolution * std::sqrt(inUv / onSurface) / packed.unit : 0;
 }
 
+bool areAllFixed(const FlatCharts& flat) {
+  for (const FlatChart& chart : flat)
+    if (!chart.isFixed) return false;
+  return true;
+}
+
 /// Packs again with larger copies of the charts that need it, as long as everything fits.
 void fitAll(const PackedCharts& packed, const UnwrapOptions& options, Numbers numbers,
             AtlasReport& atlas) {
@@ -126,7 +132,8 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   std::vector<PackShape> shapes = shapesOf(packed);
   how.work = packWork(shapes, atlas.packingCuts > 0);
   how.fixedMayLeave = options.keepsPlaces;
-  if (options.keepsPlaces) how.mostDensity = densityOfFixed(packed, shapes, options.resolution);
+  const double fixedDensity = densityOfFixed(packed, shapes, options.resolution);
+  if (options.keepsPlaces) how.mostDensity = fixedDensity;
   Result<Packing> result = pack(std::move(shapes), how);
   if (!result.ok()) return result.status;
   Packing& packing = packed.packing;
@@ -141,7 +148,9 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   atlas.padding = options.padding;
   atlas.tiles = static_cast<int>(packing.tiles);
   atlas.utilization = packing.utilization;
-  atlas.texelDensity = packing.texelDensity;
+  // Nothing was packed, so that what was asked for says nothing of the layout.
+  const bool isMeasured = fixedDensity > 0 && areAllFixed(packed.charts.flat);
+  atlas.texelDensity = isMeasured ? fixedDensity : packing.texelDensity;
   return {};
 }
 

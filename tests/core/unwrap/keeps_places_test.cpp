@@ -89,6 +89,20 @@ TEST_CASE("new charts get the texel density of those that stay", "[fixed]") {
   CHECK(second.report.atlas.texelDensity == Approx(10).epsilon(0.01));
 }
 
+TEST_CASE("where nothing is packed, the texel density is measured", "[fixed]") {
+  const PolygonMesh mesh = torus(24, 16);
+  const UnwrapResult first = unwrapped(mesh, severalCharts());
+  UnwrapOptions options = again(first);
+  CHECK(unwrapped(mesh, options).report.atlas.texelDensity ==
+        Approx(first.report.atlas.texelDensity).epsilon(1e-3));
+  for (std::uint32_t i = 0; i < first.report.charts.size(); ++i)
+    moveChart(i, options.known, [](double* uv) {
+      for (std::size_t d = 0; d < 2; ++d) uv[d] /= 2;
+    });
+  CHECK(unwrapped(mesh, options).report.atlas.texelDensity ==
+        Approx(first.report.atlas.texelDensity / 2).epsilon(1e-3));
+}
+
 TEST_CASE("charts that stay may leave the square, and the report says which", "[fixed]") {
   const PolygonMesh mesh = torus(24, 16);
   const UnwrapResult first = unwrapped(mesh, severalCharts());

@@ -8,6 +8,9 @@ export interface ChartArrays {
   chartOfTriangle: Uint32Array;
 }
 
+/** Faces without area that nothing touches have none. */
+export const isChart = (chart: number) => chart !== 0xffffffff;
+
 /** The vertices of each of some charts, each once. */
 export function verticesOf(
   { uv, indices, chartOfTriangle }: ChartArrays,

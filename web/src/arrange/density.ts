@@ -1,5 +1,5 @@
 import { DENSITY_RULE, type FaceDensities } from '../model/face-densities';
-import { boxOf, type ChartArrays, middleOf, verticesOf } from './charts';
+import { boxOf, type ChartArrays, isChart, middleOf, verticesOf } from './charts';
 import { turned } from './motion';
 import type { Motions } from './move-charts';
 
@@ -144,9 +144,6 @@ function areasOf(arrays: SurfaceArrays): Areas {
   });
   return { flat, solid };
 }
-
-/** Faces without area that nothing touches have none. */
-const isChart = (chart: number) => chart !== 0xffffffff;
 
 function flatArea({ uv, indices }: Pick<SurfaceArrays, 'uv' | 'indices'>, f: number): number {
   const [i, j, k] = [indices[3 * f], indices[3 * f + 1], indices[3 * f + 2]];

@@ -1,32 +1,50 @@
 import { type ChartArrays, pointOf, trianglesOf } from './charts';
-import type { Motion, Point } from './motion';
-import type { Motions } from './move-charts';
+import { type Motion, moved, type Point } from './motion';
+import { type Motions, movedUv } from './move-charts';
+import { areaOf, bestMotion, outlineOf } from './stacks';
 
 /** Relative to the size of a chart: outlines closer than that are the same. */
 const SAME = 2e-3;
 
 interface Shape {
   chart: number;
-  triangles: number;
-  /** Corners of the outline, in order. */
+  triangles: number[];
+  /** Vertices of the outline, in order. */
+  loop: number[];
+  /** Their places. */
   outline: Point[];
+}
+
+/** How a chart is put on another one. */
+interface Fit {
+  motion: Motion;
+  /** The vertices of its outline, each with the one whose place it takes. */
+  onto: [number, number][];
 }
 
 /**
  * Puts charts of the same shape on top of each other: each on the first that it fits. Charts that
- * are only to be put under others are listed in `fixed`, others stay if nothing fits.
+ * are only to be put under others are listed in `fixed`, others stay if nothing fits. Their outlines
+ * are the same then, bit by bit.
  */
 export function stacked(arrays: ChartArrays, charts: Uint32Array, fixed: Uint32Array): Motions {
   const bases = shapesOf(arrays, fixed);
-  const found: [number, Motion][] = [];
+  const used = new Set<Shape>();
+  const found: [number, Fit][] = [];
   for (const shape of shapesOf(arrays, charts)) {
-    const motion = firstOf(bases, (base) => fit(shape, base));
-    if (motion) found.push([shape.chart, motion]);
+    const fitting = firstOf(bases, (base) => {
+      const each = fit(arrays, shape, base);
+      if (each) used.add(base);
+      return each;
+    });
+    if (fitting) found.push([shape.chart, fitting]);
     else bases.push(shape);
   }
   return {
     charts: Uint32Array.from(found, ([chart]) => chart),
-    motions: found.map(([, motion]) => motion),
+    motions: found.map(([, { motion }]) => motion),
+    onto: Uint32Array.from(found.flatMap(([, { onto }]) => onto.flat())),
+    below: used.size,
   };
 }
 
@@ -42,39 +60,51 @@ function shapesOf(arrays: ChartArrays, charts: Uint32Array): Shape[] {
   const triangles = trianglesOf(arrays.chartOfTriangle, charts);
   return [...charts].map((chart) => {
     const own = triangles.get(chart) ?? [];
-    const outline = outlineOf(arrays.indices, own).map((v) => pointOf(arrays.uv, v));
-    return { chart, triangles: own.length, outline };
+    const loop = loopOf(arrays, own);
+    return { chart, triangles: own, loop, outline: loop.map((v) => pointOf(arrays.uv, v)) };
   });
 }
 
-/** The vertices around some triangles that form a disk. */
-function outlineOf(indices: Uint32Array, triangles: number[]): number[] {
-  const next = new Map<number, number>();
-  const inner = new Set<string>();
-  const sides = triangles.flatMap((f) =>
-    [0, 1, 2].map((k) => [indices[3 * f + k], indices[3 * f + ((k + 1) % 3)]] as const),
-  );
-  for (const [from, to] of sides) inner.add(`${to} ${from}`);
-  for (const [from, to] of sides) if (!inner.has(`${from} ${to}`)) next.set(from, to);
+/** The vertices around some triangles that form a disk; none if they form something else. */
+function loopOf(arrays: ChartArrays, triangles: number[]): number[] {
+  const sides = outlineOf(arrays, triangles);
+  const next = new Map(sides);
+  if (next.size < sides.length) return [];
   const [first] = next.keys();
-  const outline: number[] = [];
-  for (let v = first; v !== undefined && outline.length < next.size; v = next.get(v) as number)
-    outline.push(v);
-  return outline;
+  const loop: number[] = [];
+  for (let v = first; v !== undefined && loop.length < next.size; v = next.get(v) as number) {
+    if (v === first && loop.length > 0) return [];
+    loop.push(v);
+  }
+  return loop;
 }
 
-/** The motion that takes a shape onto a base with the least turn; null if they differ. */
-function fit(shape: Shape, base: Shape): Motion | null {
-  const count = shape.outline.length;
-  if (count < 3 || count !== base.outline.length || shape.triangles !== base.triangles) return null;
+/** Takes a shape onto a base with the least turn; null if they differ. */
+function fit(arrays: ChartArrays, shape: Shape, base: Shape): Fit | null {
+  const count = shape.loop.length;
+  if (count < 3 || count !== base.loop.length || shape.triangles.length !== base.triangles.length)
+    return null;
   const [from, to] = [sidesOf(shape.outline), sidesOf(base.outline)];
-  let best: Motion | null = null;
+  let best: Fit | null = null;
   for (let shift = 0; shift < count; ++shift) {
     if (!hasSameSides(from, to, shift)) continue;
-    const motion = bestMotion(shape.outline, base.outline, shift);
-    if (motion && turnOf(motion) < (best ? turnOf(best) : Infinity)) best = motion;
+    const motion = closeMotion(shape.outline, base.outline, shift);
+    if (!motion || turnOf(motion) >= (best ? turnOf(best.motion) : Infinity)) continue;
+    const onto = shape.loop.map((v, i): [number, number] => [v, base.loop[(i + shift) % count]]);
+    if (!hasFlips(arrays, shape, { motion, onto })) best = { motion, onto };
   }
   return best;
+}
+
+/** Whether a triangle would be flipped where the outline is not exactly the same. */
+function hasFlips(
+  arrays: ChartArrays,
+  { chart, triangles }: Shape,
+  { motion, onto }: Fit,
+): boolean {
+  const charts = Uint32Array.of(chart);
+  const uv = movedUv(arrays, { charts, motions: [motion], onto: Uint32Array.from(onto.flat()) });
+  return triangles.some((f) => areaOf({ ...arrays, uv }, f) <= 0 && areaOf(arrays, f) > 0);
 }
 
 const turnOf = ({ a, b }: Motion) => Math.abs(Math.atan2(b, a));
@@ -96,28 +126,20 @@ function hasSameSides(a: Float64Array, b: Float64Array, shift: number): boolean 
 }
 
 /** The least squares fit of one outline to the other; null if it leaves too much between them. */
-function bestMotion(from: Point[], to: Point[], shift: number): Motion | null {
-  const count = from.length;
-  const target = (i: number) => to[(i + shift) % count];
-  const mean = (points: Point[]): Point => [
-    points.reduce((sum, [x]) => sum + x, 0) / count,
-    points.reduce((sum, [, y]) => sum + y, 0) / count,
-  ];
-  const [[fx, fy], [tx, ty]] = [mean(from), mean(to)];
-  let [dot, cross, square] = [0, 0, 0];
-  from.forEach(([x, y], i) => {
-    const [u, v] = [x - fx, y - fy];
-    const [p, q] = [target(i)[0] - tx, target(i)[1] - ty];
-    dot += u * p + v * q;
-    cross += u * q - v * p;
-    square += u * u + v * v;
-  });
-  const [a, b] = [dot / square, cross / square];
-  const motion = { a, b, x: tx - a * fx + b * fy, y: ty - b * fx - a * fy };
-  const size = Math.hypot(a, b) * Math.sqrt(square / count);
-  const isFar = from.some(([x, y], i) => {
-    const [p, q] = target(i);
-    return Math.hypot(a * x - b * y + motion.x - p, b * x + a * y + motion.y - q) > SAME * size;
+function closeMotion(from: Point[], to: Point[], shift: number): Motion | null {
+  const target = from.map((_, i) => to[(i + shift) % to.length]);
+  const motion = bestMotion(from, target);
+  const size = Math.hypot(motion.a, motion.b) * spreadOf(from);
+  const isFar = from.some((point, i) => {
+    const [x, y] = moved(motion, point);
+    return Math.hypot(x - target[i][0], y - target[i][1]) > SAME * size;
   });
   return isFar || !(size > 0) ? null : motion;
+}
+
+/** The root mean square distance from their middle. */
+function spreadOf(points: Point[]): number {
+  const mean = [0, 1].map((d) => points.reduce((sum, point) => sum + point[d], 0) / points.length);
+  const square = points.reduce((sum, [x, y]) => sum + (x - mean[0]) ** 2 + (y - mean[1]) ** 2, 0);
+  return Math.sqrt(square / points.length);
 }

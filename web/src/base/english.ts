@@ -173,9 +173,11 @@ export const FETCH_FAILED = {
   interrupted: (name: string) => `The connection was lost while fetching ${name}. Open it again.`,
 };
 
+/** Everything that is asked in a sheet of its own. */
+export const QUESTION = { cancel: 'Cancel' };
+
 /** Asked before anything is fetched. Sizes come as texts. */
 export const WEB_SHEET = {
-  cancel: 'Cancel',
   openFrom: (name: string, host: string) => `Open ${name} from ${host}?`,
   /** `size`: '' if it is not known. */
   whatHappens: (host: string, size: string, namesFiles: boolean) =>
@@ -188,7 +190,14 @@ export const WEB_SHEET = {
   megabytes: (size: string) => `${size}\u202fMB`,
 };
 
-export const MESH_TABS = { tab: (title: string) => `${title} (Delete closes it)` };
+export const MESH_TABS = {
+  tab: (title: string, isUnsaved: boolean) =>
+    `${title}${isUnsaved ? ', edits not exported' : ''} (Delete closes it)`,
+  unsaved: ', edits not exported',
+  close: (title: string) => `Close ${title} without exporting it?`,
+  whatIsLost: 'Its edits are in no file yet, and closing it discards them.',
+  closeIt: 'Close without exporting',
+};
 
 export const SAMPLES = {
   samples: 'Samples',
@@ -401,6 +410,7 @@ export const TAB_JOBS = { stop: 'Stop', stopped: 'Stopped', starting: 'Starting'
 
 export const BADGES = {
   valid: 'Valid',
+  uneven: 'Uneven',
   stretched: 'Stretched',
   notValid: 'Not valid',
   none: 'No result',
@@ -410,6 +420,9 @@ export const BADGES = {
 export const VERDICT = {
   noCrossings: 'No flipped triangles, no crossings',
   noOverlaps: 'No flipped triangles, no overlaps',
+  stacked: (charts: number) => `${counted(charts, 'chart')} stacked, no other overlaps`,
+  uneven: (least: number, most: number) =>
+    `Charts have ${measure(least)} to ${measure(most)} texels per unit: repack to even them out`,
   lengthsChange: (share: number) =>
     `Lengths change by ${count(100 * share)}\u202f% on average: seams would help`,
   stretched: (most: string, limit: number, charts: number, all: number) => {
@@ -432,6 +445,10 @@ export const REMEDIES = {
   cut: {
     label: 'Cut further',
     title: 'Keep these seams and add automatic ones until every chart is within the limit',
+  },
+  pack: {
+    label: 'Repack',
+    title: 'Pack all charts again, at the same texel density',
   },
   unwrap: { label: 'Unwrap', title: 'Cut the mesh into charts that stretch less' },
 };
@@ -480,7 +497,10 @@ export const ATLAS_METRICS = {
     label: 'Utilisation',
     title: 'Share of the square, or of all tiles, that the charts cover',
   },
-  texelDensity: { label: 'Texel density', title: 'Texels per mesh unit at this resolution' },
+  texelDensity: {
+    label: 'Texel density',
+    title: 'Texels per mesh unit at this resolution, on average over the surface',
+  },
 };
 
 /** The numbers of every layout. */
@@ -727,6 +747,7 @@ export const RUN = {
     `; ${count(kept)} kept, ${count(fixed)} ${fixedAs}`,
   someCharts: (some: number, charts: number, what: string) =>
     `; ${count(some)} of ${counted(charts, 'chart')} ${what}`,
+  shownAgain: (title: string) => `${title} is as you left it`,
   cancelled: 'Cancelled',
   notOpened: (title: string) => `${title} was not opened`,
   nothingOpened: 'Nothing was opened',
@@ -906,6 +927,17 @@ export const ARRANGED = {
   straightened: 'Aligned',
   stacked: 'Stacked',
   evened: 'Evened out',
+};
+
+/** Charts that are put on each other. */
+export const STACKING = {
+  noneFits: 'Nothing was stacked: no two of these charts have the same shape',
+  done: (stacked: number, all: number) => {
+    const other = all - stacked;
+    const but =
+      other > 0 ? `; ${other} ${other === 1 ? 'has another shape' : 'have other shapes'}` : '';
+    return `Stacked ${counted(stacked, 'chart')}${but}`;
+  },
 };
 
 /** Charts that are moved. Numbers come as text. */

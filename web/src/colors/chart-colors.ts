@@ -6,13 +6,16 @@ export const CHART_COLORS = 9;
 /**
  * A colour number for each chart. Charts that share an edge of the surface get different colours
  * and, as far as the colours suffice, so do charts that touch at a point or lie side by side in the
- * layout.
+ * layout. `kept`: the colours of charts that have one already; -1 for others.
  */
-export function chartColors(atlas: ColoredAtlas): Float32Array {
+export function chartColors(atlas: ColoredAtlas, kept?: Float32Array): Float32Array {
+  const colors = kept?.slice() ?? new Float32Array(atlas.chartCount).fill(-1);
+  if (colors.every((color) => color >= 0)) return colors;
   const near = new ChartNeighbours(atlas);
-  const colors = new Float32Array(atlas.chartCount).fill(-1);
   const uses = new Array<number>(CHART_COLORS).fill(0);
+  for (const color of colors) if (color >= 0) uses[color] += 1;
   for (const chart of coloringOrder(near.byEdge)) {
+    if (colors[chart] >= 0) continue;
     const costs = [near.byEdge, near.byPoint, near.inLayout].map((neighbours) => {
       const taken = new Array<number>(CHART_COLORS).fill(0);
       for (const other of neighbours[chart]) if (colors[other] >= 0) taken[colors[other]] += 1;

@@ -2,6 +2,8 @@ import type { Report, UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
 import { ATLAS_METRICS, BADGES, DISK_METRICS, METRICS, REMEDIES } from '../base/english';
 import { count, distortion, duration, measure } from '../base/format';
+import type { ChartAreas } from '../mesh/chart-areas';
+import type { FlatDrawing } from '../model/drawing';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Outcome } from '../model/model';
@@ -17,6 +19,16 @@ interface Metric<S> {
   isBad?(subject: S): boolean;
   /** Whose heat map shows where the number comes from. */
   measure?: Measure;
+}
+
+/** An atlas as it is drawn: what its report says of packing need not hold any more. */
+type MeasuredAtlas = UnwrapReport & { areas: ChartAreas | null };
+
+/** Texels per unit of the mesh, of the whole surface. */
+function densityOf(areas: ChartAreas | null, resolution: number): number {
+  const sum = (values: Float64Array = new Float64Array()) =>
+    values.reduce((total, each) => total + each, 0);
+  return resolution * Math.sqrt(sum(areas?.flat) / sum(areas?.solid));
 }
 
 const OF_DISK: Metric<Report>[] = [
@@ -54,7 +66,7 @@ const OF_DISK: Metric<Report>[] = [
   },
 ];
 
-const OF_ATLAS: Metric<UnwrapReport>[] = [
+const OF_ATLAS: Metric<MeasuredAtlas>[] = [
   {
     ...ATLAS_METRICS.charts,
     value: ({ charts }) => count(charts.length),
@@ -80,7 +92,7 @@ const OF_ATLAS: Metric<UnwrapReport>[] = [
   },
   {
     ...ATLAS_METRICS.texelDensity,
-    value: ({ atlas }) => measure(atlas.texelDensity),
+    value: ({ atlas, areas }) => measure(densityOf(areas, atlas.resolution)),
   },
   {
     ...METRICS.faces,
@@ -104,6 +116,7 @@ const NO_VALUE = '\u2013';
 const GRADES: Record<Verdict['badge'], string> = {
   [BADGES.valid]: 'good',
   [BADGES.stretched]: 'warn',
+  [BADGES.uneven]: 'warn',
   [BADGES.notValid]: 'bad',
 };
 
@@ -137,17 +150,17 @@ export class MetricsPanel {
     this.list.append(...[...OF_DISK, TIME].map(({ label, title }) => item(label, title, NO_VALUE)));
   }
 
-  show(outcome: Outcome): void {
+  show(outcome: Outcome, { areas }: FlatDrawing): void {
     const { report } = outcome.result;
     const items =
       outcome.mode === 'unwrap'
-        ? this.itemsOf(OF_ATLAS, outcome.result.report)
+        ? this.itemsOf(OF_ATLAS, { ...outcome.result.report, areas })
         : this.itemsOf(OF_DISK, outcome.result.report);
     const refined = energiesOf(outcome);
     // Replaces the time, so that the number of items stays the same.
     const last = refined ? this.itemsOf([REFINED], { refined }) : this.itemsOf([TIME], report);
     this.list.replaceChildren(...items, ...last);
-    this.verdict = verdictOf(outcome);
+    this.verdict = verdictOf(outcome, areas);
     this.badge.textContent = this.verdict.badge;
     this.badge.className = `badge ${GRADES[this.verdict.badge]}`;
     const noteCount = notesOf(outcome).length;

@@ -1,10 +1,12 @@
 import type { Report, UnwrapReport } from 'abflat';
 import { BADGES, VERDICT } from '../base/english';
 import { sentence } from '../base/format';
+import type { ChartAreas } from '../mesh/chart-areas';
 import type { Outcome, Unwrapped } from '../model/model';
+import { stackedCharts } from '../model/stacks';
 
-/** What would reduce stretch: more seams, or seams at all. */
-export type Remedy = 'cut' | 'unwrap';
+/** What would help: more seams, seams at all, or packing all charts anew. */
+export type Remedy = 'cut' | 'unwrap' | 'pack';
 
 export interface Verdict {
   badge: (typeof BADGES)[Exclude<keyof typeof BADGES, 'none'>];
@@ -23,13 +25,16 @@ const MOST_CHANGE = 0.5;
 /** How abflat says that a chart of an atlas is in the wrong place. */
 const OUTSIDE = /^it extends beyond its tile/;
 const OVERLAPPING = /^it touches or overlaps the chart/;
+/** Charts that stayed where they were may have this many times the texels along an edge that others have. */
+const MOST_UNEVEN = 1.1;
 
 /**
- * Judges what the user cares about: first that nothing overlaps, then that nothing is stretched too
- * much.
+ * Judges what the user cares about: first that nothing overlaps, then that all charts have the
+ * texel density asked for, then that nothing is stretched too much. `areas`: those of the charts as
+ * they are drawn.
  */
-export function verdictOf(outcome: Outcome): Verdict {
-  return outcome.mode === 'unwrap' ? ofAtlas(outcome) : ofDisk(outcome.result.report);
+export function verdictOf(outcome: Outcome, areas: ChartAreas | null): Verdict {
+  return outcome.mode === 'unwrap' ? ofAtlas(outcome, areas) : ofDisk(outcome.result.report);
 }
 
 function ofDisk({ charts: [chart], valid }: Report): Verdict {
@@ -40,12 +45,17 @@ function ofDisk({ charts: [chart], valid }: Report): Verdict {
   return { badge: BADGES.stretched, reason: VERDICT.lengthsChange(change), remedy: 'unwrap' };
 }
 
-function ofAtlas({ result, settings }: Unwrapped): Verdict {
+function ofAtlas(outcome: Unwrapped, areas: ChartAreas | null): Verdict {
+  const { result, settings, stacks } = outcome;
   const { charts, valid } = result.report;
   if (!valid) return { badge: BADGES.notValid, reason: defects(result.report), remedy: null };
+  const uneven = areas && unevenDensity(outcome, areas);
+  if (uneven) return { badge: BADGES.uneven, reason: VERDICT.uneven(...uneven), remedy: 'pack' };
   const stretched = stretchedCharts(result.report, settings.maxStretch);
-  if (stretched.length === 0)
-    return { badge: BADGES.valid, reason: VERDICT.noOverlaps, remedy: null };
+  if (stretched.length === 0) {
+    const reason = stacks ? VERDICT.stacked(stackedCharts(stacks)) : VERDICT.noOverlaps;
+    return { badge: BADGES.valid, reason, remedy: null };
+  }
   const most = Math.max(...stretched.map(({ symmetricDirichlet }) => symmetricDirichlet));
   const limit = settings.maxStretch;
   return {
@@ -53,6 +63,27 @@ function ofAtlas({ result, settings }: Unwrapped): Verdict {
     reason: VERDICT.stretched(above(most, limit), limit, stretched.length, charts.length),
     remedy: isAutomatic(settings.seams) ? null : 'cut',
   };
+}
+
+/**
+ * The least and the largest texel density, where charts that packing would make even differ; null
+ * where they do not. Charts that ask for more texels count as if they did not.
+ */
+function unevenDensity(
+  { result, settings }: Unwrapped,
+  { flat, solid, asked }: ChartAreas,
+): [number, number] | null {
+  const { charts, atlas } = result.report;
+  if (!charts.some(({ solver, fixed }) => fixed && solver === 'known')) return null;
+  const locked = new Set(settings.kept?.charts);
+  const isLocked = (chart: number) => locked.has(chart) && settings.kept?.layout === result;
+  const densities = charts.flatMap(({ solver, fixed }, i) => {
+    if ((fixed && solver !== 'known') || isLocked(i) || !(solid[i] > 0)) return [];
+    return (atlas.resolution * Math.sqrt(flat[i] / solid[i])) / asked[i];
+  });
+  const low = densities.reduce((least, each) => Math.min(least, each), Infinity);
+  const high = densities.reduce((most, each) => Math.max(most, each), 0);
+  return high > MOST_UNEVEN * low ? [low, high] : null;
 }
 
 /** Leaves out charts whose shape the user asked to keep. */

@@ -13,6 +13,7 @@ export function drawFlat(picture: FlatPicture, chartCount: number): FlatDrawing 
     boundary: picture.boundary ?? new Uint32Array(),
     spreads: picture.heat.spreads,
     chartColors: picture.chartColors ?? null,
+    areas: picture.areas ?? null,
   };
 }
 

@@ -1,9 +1,11 @@
 import type { ChartReport } from 'abflat';
 import { chartColors } from '../colors/chart-colors';
+import { type ChartAreas, chartAreas } from '../mesh/chart-areas';
 import { boundaryEdges, type DisplayMesh, type FlatMesh, vertexNormals } from '../mesh/mesh';
 import { meshCorners } from '../mesh/source-corners';
 import { toUnitSquare } from '../mesh/unit-square';
 import { weld } from '../mesh/weld';
+import type { FaceDensities } from '../model/face-densities';
 import type { LayoutArrays, Unwrapped } from '../model/model';
 import { type Heat, heatOf } from './heat';
 
@@ -30,6 +32,7 @@ export interface FlatPicture extends Picture {
   chartColors?: Float32Array;
   /** For an atlas, the chart of each triangle. */
   charts?: Uint32Array;
+  areas?: ChartAreas;
   /** Unit squares that the atlas fills. */
   tiles?: number;
   /** See `TriangleMarks`. */
@@ -50,13 +53,15 @@ export type AtlasArrays = Pick<
 export interface AtlasSize {
   tiles: number;
   chartCount: number;
-  /** The number of each chart's colour, if it has one already. */
+  /** The number of each chart's colour, if it has one already; -1 for others. */
   colors?: Float32Array;
+  /** The texel density that each face asks for, relative to the others. */
+  asked?: FaceDensities;
 }
 
 export function atlasPicture(
   atlas: AtlasArrays,
-  { tiles, chartCount, colors }: AtlasSize,
+  { tiles, chartCount, colors, asked }: AtlasSize,
   input: DisplayMesh,
 ): FlatPicture {
   const { uv, indices, vertexMap, chartOfTriangle } = atlas;
@@ -74,9 +79,10 @@ export function atlasPicture(
     tightened: none,
     resisting: none,
     charts: chartOfTriangle,
+    areas: chartAreas(mesh, chartOfTriangle, chartCount, { asked, faces: input.faces }),
     tiles,
     source: meshCorners(input, atlas),
-    chartColors: colors ?? chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }),
+    chartColors: chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }, colors),
   };
 }
 

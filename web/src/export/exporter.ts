@@ -10,6 +10,8 @@ export const exportMeshes = () => loadPart(import('./export-mesh'));
 
 export interface ExporterEvents {
   say(text: string): void;
+  /** A file has the layout. */
+  exported(wish: Wish): void;
   failed(wish: Wish, error: Error): void;
 }
 
@@ -33,12 +35,15 @@ export class Exporter {
           again: (outcome, format) => {
             this.events.say(EXPORT.writing(format.toUpperCase()));
             return this.session.aside(
-              (abflat, input, signal) => writeAgain(abflat, input, outcome, format, signal),
+              (abflat, input, signal) =>
+                writeAgain(abflat, input, outcome, format, this.workshop, signal),
               signal,
             );
           },
         });
-        if (!signal.aborted) this.events.say(remark ? `${done}. ${remark}` : done);
+        if (signal.aborted) return;
+        this.events.exported(wish);
+        this.events.say(remark ? `${done}. ${remark}` : done);
       })
       .catch((error: Error) => {
         this.events.say(EXPORT.notExported);

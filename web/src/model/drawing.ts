@@ -1,6 +1,7 @@
 // What the views draw: arrays that go to the graphics card as they are. They are made in the
 // workshop, so that no loop over all triangles blocks the page.
 
+import type { ChartAreas } from '../mesh/chart-areas';
 import type { Cells } from '../mesh/checker';
 import type { Measure, Spread } from './measures';
 
@@ -90,4 +91,6 @@ export interface FlatDrawing extends Drawing {
   spreads: Record<Measure, Spread>;
   /** The number of each chart's colour; null for a disk. */
   chartColors: Float32Array | null;
+  /** Of each chart; null for a disk. */
+  areas: ChartAreas | null;
 }

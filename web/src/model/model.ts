@@ -11,6 +11,7 @@ import type {
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from './drawing';
 import type { FlattenSettings, UnwrapSettings } from './settings';
+import type { Stack, Stacks } from './stacks';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
 export type Source = { kind: 'sample'; name: string } | FileSource;
@@ -94,6 +95,8 @@ export interface Unwrapped extends Made {
   result: UnwrapResult;
   /** Charts were to stay in place, but left too little room for the others. */
   isRepacked?: boolean;
+  /** Charts that share texels; none is a fault. */
+  stacks?: Stack[];
 }
 
 export type Outcome = Flattened | Unwrapped;
@@ -106,7 +109,15 @@ export interface Helpers {
   outcome(outcome: Outcome): Promise<FlatDrawing>;
   gltf(source: FileSource, signal: AbortSignal): Promise<GltfFile>;
   joined(mesh: ArrayMesh): Promise<ArrayMesh>;
+  /** Charts of an atlas that share texels. */
+  stacks(atlas: AtlasLayout): Promise<Stacks>;
+  /** See arrange/stacks.ts. */
+  apart(atlas: AtlasLayout, stacks: Stack[], rows: number): Promise<Float64Array | null>;
+  restacked(before: AtlasLayout, now: AtlasLayout, stacks: Stack[]): Promise<Float64Array | null>;
 }
+
+/** The charts of an atlas and their places. */
+export type AtlasLayout = Pick<UnwrapResult, 'uv' | 'indices' | 'chartOfTriangle'>;
 
 /** The arrays of a result, as abflat returns them. */
 export interface LayoutArrays {

@@ -54,6 +54,21 @@ export interface UnwrapSettings extends MoreOptions, Marks {
 
 export type Settings = FlattenSettings | UnwrapSettings;
 
+/** Whether the layout itself depends on what was done by hand to this mesh, which no other mesh takes over. */
+export const isMadeByHand = (settings: Settings): boolean =>
+  settings.mode === 'flatten'
+    ? settings.bounds !== undefined
+    : Boolean(settings.seamEdges ?? settings.placed ?? settings.faceDensities);
+
+/** Whether anything is marked by hand, which shows in no file. */
+const isMarked = (settings: Settings): boolean =>
+  settings.mode === 'unwrap' &&
+  ((settings.kept?.charts.length ?? 0) > 0 || (settings.pins?.length ?? 0) > 0);
+
+/** Whether there is anything that another mesh would not take over. */
+export const isByHand = (settings: Settings): boolean =>
+  isMadeByHand(settings) || isMarked(settings);
+
 export const sameSettings = (a: Settings, b: Settings): boolean => differsOnlyIn([], a, b);
 
 /** Whether two atlases differ in nothing but their seams, so that the charts that both have can stay. */

@@ -3,14 +3,22 @@ import { MESH_TABS } from '../base/english';
 import type { Source } from '../model/model';
 import { titleOf } from '../session/titles';
 
-/** Meshes that are open side by side, as tabs above the mesh. Only the one that is shown is in memory: another is opened again. */
+export interface MeshTabEvents {
+  open(source: Source): void;
+  /** Whether a mesh may be closed: it may have work that is in no file. */
+  mayClose(source: Source): Promise<boolean>;
+  closed(source: Source): void;
+  isUnsaved(source: Source): boolean;
+}
+
+/** Meshes that are open side by side, as tabs above the mesh. */
 export class MeshTabs {
   private readonly list = element('mesh-tabs', HTMLElement);
   private readonly panel = element('mesh-stage', HTMLElement);
   private sources: Source[] = [];
   private shown: Source | null = null;
 
-  constructor(private readonly open: (source: Source) => void) {
+  constructor(private readonly events: MeshTabEvents) {
     this.list.addEventListener('keydown', (event) => this.onKey(event));
   }
 
@@ -25,22 +33,38 @@ export class MeshTabs {
     this.tabOf(this.shown)?.focus();
   }
 
-  /** A mesh was opened. Where there are tabs it gets one. */
-  show(source: Source): void {
+  /** A mesh was opened. Where there are tabs it gets one; `keepsLast`: the mesh before stays open, too. */
+  show(source: Source, keepsLast: boolean): void {
+    const { shown } = this;
+    if (keepsLast && shown && !this.has(shown)) this.sources.push(shown);
     if (this.sources.length > 0 && !this.has(source)) this.sources.push(source);
     this.shown = source;
     this.draw();
   }
 
+  /** Another mesh may have work that is in no file. */
+  update(): void {
+    this.draw();
+  }
+
+  private async close(source: Source): Promise<void> {
+    if (!(await this.events.mayClose(source)) || !this.has(source)) return;
+    this.remove(source);
+    this.events.closed(source);
+  }
+
   /** The last tab is none. */
-  private close(source: Source): void {
+  private remove(source: Source): void {
     const at = this.sources.indexOf(source);
     const left = this.sources.filter((each) => each !== source);
+    const isShown = source === this.shown;
     const next = left[Math.min(at, left.length - 1)];
     this.sources = left.length > 1 ? left : [];
+    // It stays on screen until the next one is read, but is not open any more.
+    if (isShown) this.shown = null;
     this.draw();
-    if (source === this.shown) this.open(next);
-    const focused = this.tabOf(source === this.shown ? next : this.shown);
+    if (isShown) this.events.open(next);
+    const focused = this.tabOf(isShown ? next : this.shown);
     (focused ?? element('mesh-canvas', HTMLElement)).focus();
   }
 
@@ -77,7 +101,8 @@ export class MeshTabs {
     const tab = create('button', 'tab mesh-tab');
     tab.type = 'button';
     tab.role = 'tab';
-    tab.title = MESH_TABS.tab(title);
+    const isUnsaved = this.events.isUnsaved(source);
+    tab.title = MESH_TABS.tab(title, isUnsaved);
     tab.ariaSelected = String(isShown);
     tab.tabIndex = -1;
     tab.setAttribute('aria-controls', this.panel.id);
@@ -87,11 +112,13 @@ export class MeshTabs {
     close.ariaHidden = 'true';
     close.addEventListener('click', (event) => {
       event.stopPropagation();
-      this.close(source);
+      void this.close(source);
     });
-    tab.append(create('span', 'mesh-tab-name', title), close);
+    tab.append(create('span', 'mesh-tab-name', title));
+    if (isUnsaved) tab.append(create('span', 'visually-hidden', MESH_TABS.unsaved), dot());
+    tab.append(close);
     tab.addEventListener('click', () => {
-      if (source !== this.shown) this.open(source);
+      if (source !== this.shown) this.events.open(source);
     });
     return tab;
   }
@@ -104,11 +131,17 @@ export class MeshTabs {
       ArrowLeft: () => tabs[(at + tabs.length - 1) % tabs.length].focus(),
       Home: () => tabs[0].focus(),
       End: () => tabs[tabs.length - 1].focus(),
-      Delete: () => this.close(this.sources[at]),
+      Delete: () => void this.close(this.sources[at]),
     };
     const action = actions[event.key];
     if (!action || at < 0) return;
     event.preventDefault();
     action();
   }
+}
+
+function dot(): HTMLElement {
+  const dot = create('span', 'mesh-tab-dot');
+  dot.ariaHidden = 'true';
+  return dot;
 }

@@ -12,7 +12,6 @@ export interface Surface {
 
 /** The seams of one mesh: what the user wants, and what the atlas on screen has. */
 export class SeamModel {
-  private wish: SeamChoice = AUTOMATIC;
   private made: Surface | null = null;
   /** The atlas's seams, two vertices each; null until there is one. */
   private shownPairs: Uint32Array | null = null;
@@ -22,8 +21,11 @@ export class SeamModel {
   /** The seams found for choices that leave some to find, two vertices per seam edge. */
   private readonly found = new Map<Uint32Array | string, Uint32Array>();
 
-  /** `findSurface` is called when editing begins; null: there is none yet. */
-  constructor(private readonly findSurface: () => Surface | null) {}
+  /** `findSurface` is called when editing begins; null: there is none yet. `wish`: what to begin with. */
+  constructor(
+    private readonly findSurface: () => Surface | null,
+    private wish: SeamChoice = AUTOMATIC,
+  ) {}
 
   /** Whether its seams can be edited. */
   get isReady(): boolean {

@@ -7,7 +7,14 @@ import type { DisplayMesh } from '../mesh/mesh';
 import type { Unwrapped } from '../model/model';
 import type { MeshView } from '../view/mesh-view';
 import type { Workshop } from '../workshop/workshop';
-import { AUTOMATIC, choiceOf, type SeamChoice, type SeamOptions, seamOptions } from './seam-choice';
+import {
+  AUTOMATIC,
+  choiceOf,
+  type SeamChoice,
+  type SeamOptions,
+  type SeamSources,
+  seamOptions,
+} from './seam-choice';
 import { pairsOf } from './seam-edges';
 import { SeamEditor } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
@@ -17,6 +24,15 @@ import { SharpControl } from './sharp-control';
 import { SourceControl } from './source-control';
 
 const solids = () => loadPart(import('../surface/solid'));
+
+/** The choice for another mesh, whose islands and materials are its own. */
+function taken(sources: SeamSources): SeamChoice {
+  const isOfFile = sources.uv || sources.material;
+  return {
+    sources: { ...sources, uv: false, material: false, auto: sources.auto || isOfFile },
+    edges: null,
+  };
+}
 
 /** A mesh whose seams can be edited. */
 export interface Editable {
@@ -158,7 +174,7 @@ export class SeamPanel {
     this.editor?.update();
   }
 
-  /** Opens another mesh, with automatic seams. */
+  /** Opens another mesh. The sources stay that are not of the mesh before; edited seams do not. */
   open(mesh: Editable): void {
     const { summary } = mesh;
     let surface: Surface | null = null;
@@ -166,7 +182,8 @@ export class SeamPanel {
     this.prepared = startOnce(async () => {
       surface = await this.surfaceOf(mesh);
     });
-    this.model = new SeamModel(() => surface);
+    const { edges, sources } = this.choice;
+    this.model = new SeamModel(() => surface, edges ? AUTOMATIC : taken(sources));
     this.sources.offer({ uv: summary.texcoords > 0, material: summary.materials > 1 });
     this.sources.show(this.choice);
     this.hide();

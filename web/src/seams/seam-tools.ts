@@ -23,9 +23,7 @@ export class SeamTools {
     this.paint.addEventListener('click', () => this.togglePainting());
     this.cancel.addEventListener('click', cancelled);
     this.buttons.forEach((button, i) => {
-      button.addEventListener('click', () => {
-        this.choose(this.chosen === TOOLS[i] ? 'select' : TOOLS[i], this.paints);
-      });
+      button.addEventListener('click', () => this.choose(TOOLS[i], this.paints));
     });
     this.showTool();
   }

@@ -9,6 +9,7 @@ import {
   type Source,
 } from '../model/model';
 import { type Settings, sameButSeams, type UnwrapSettings } from '../model/settings';
+import { judged, keepingStacks, type StackHelpers } from './stacks';
 
 interface Watch {
   signal: AbortSignal;
@@ -55,6 +56,7 @@ export async function layOut(
   settings: Settings,
   earlier: Outcome | null,
   watch: Watch,
+  helpers: StackHelpers,
   format: ExportFormat = exportFormat(source),
 ): Promise<Outcome> {
   const roundsForGltf = exportFormat(source) === 'glb';
@@ -73,7 +75,7 @@ export async function layOut(
     return { mode, source, mesh, gltf, settings, result };
   }
   const { mode, kept, placed, pins, ...options } = settings;
-  const unwrap = async (known: Earlier) =>
+  const unwrap = async (known: UnwrapOptions) =>
     abflat.unwrap(await copied(input), {
       ...options,
       ...known,
@@ -85,11 +87,19 @@ export async function layOut(
     });
   const known = fromEarlier(source, settings, earlier);
   const made = { mode, source, mesh, gltf, settings };
+  const runs = { abflat, input, helpers, signal: watch.signal };
+  const packed = (known: Earlier) => {
+    const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
+    if (!last?.stacks) return unwrap(known).then((result) => ({ result }));
+    const { faceDensities } = settings;
+    return keepingStacks(last, last.stacks, { ...known, faceDensities }, unwrap, runs);
+  };
+  if (!known.keepsPlaces) return { ...made, ...(await packed(known)) };
   try {
-    return { ...made, result: await unwrap(known) };
+    return { ...made, ...(await judged(await unwrap(known), runs)) };
   } catch (error) {
-    if (!known.keepsPlaces || (error as AbflatError).code !== 'AtlasTooSmall') throw error;
+    if ((error as AbflatError).code !== 'AtlasTooSmall') throw error;
     // Beside the charts that stay there is no room for the others at the density asked for.
-    return { ...made, result: await unwrap({ ...known, keepsPlaces: false }), isRepacked: true };
+    return { ...made, ...(await packed({ ...known, keepsPlaces: false })), isRepacked: true };
   }
 }

@@ -15,20 +15,27 @@ import {
 } from '../model/model';
 import type { Settings } from '../model/settings';
 import { layOut } from './lay-out';
+import { currentStep, type Left } from './left-meshes';
 import { notSupported } from './words';
 
 export interface SessionEvents {
   /** A mesh is being read, or laid out if there are `settings`. */
   started(source: Source, settings: Settings | null): void;
   progress(progress: AnyProgress): void;
-  /** A mesh was read. */
-  opened(opened: Opened): void;
+  /** A mesh was read, or is shown again. `before`: the one that was shown until now. */
+  opened(opened: Opened, before: Shown | null): void;
   laidOut(outcome: Outcome, drawing: FlatDrawing): void;
   /** An earlier outcome is there again. */
   restored(outcome: Outcome, drawing: FlatDrawing): void;
   cancelled(): void;
   /** `settings` is null when the mesh could not be read. */
   failed(source: Source, settings: Settings | null, error: Error): void;
+}
+
+/** A mesh and its last outcome. */
+export interface Shown {
+  opened: Opened;
+  outcome: Outcome | null;
 }
 
 /**
@@ -64,23 +71,37 @@ export class Session {
     private readonly helpers: Helpers,
   ) {}
 
-  /** Reads a mesh and lays it out. On failure the previous one stays. */
-  async open(source: Source): Promise<void> {
+  /**
+   * Reads a mesh and lays it out. On failure the previous one stays. `left`: how it was left, where
+   * it was shown before; then it is as it was.
+   */
+  async open(source: Source, left: Left | null = null): Promise<void> {
     this.stop();
     const controller = this.begin();
     this.isReading = true;
     this.events.started(source, null);
     try {
-      const opened = await this.read(source, controller.signal);
+      const opened = left
+        ? { ...left.opened, drawing: await this.helpers.mesh(left.opened.mesh) }
+        : await this.read(source, controller.signal);
       if (controller !== this.running) return;
+      const before = this.shown;
       this.opened = opened;
-      this.events.opened(opened);
+      this.outcome = left?.outcome ?? this.outcome;
+      this.events.opened(opened, before);
     } catch (error) {
       this.end(controller, () => this.events.failed(source, null, explained(error)));
       return;
     }
     this.running = null;
-    await this.run();
+    const outcome = left && currentStep(left).outcome;
+    await (outcome ? this.restore(outcome) : this.run());
+  }
+
+  /** The open mesh; null if there is none. */
+  private get shown(): Shown | null {
+    const { opened, outcome } = this;
+    return opened && { opened, outcome: outcome?.source === opened.source ? outcome : null };
   }
 
   /**
@@ -152,12 +173,14 @@ export class Session {
     const controller = this.begin();
     this.events.started(opened.source, settings);
     try {
-      const outcome = await layOut(await this.abflat(), opened, settings, this.outcome, {
+      const watch = {
         signal: controller.signal,
-        onProgress: (progress) => {
+        onProgress: (progress: AnyProgress) => {
           if (controller === this.running) this.events.progress(progress);
         },
-      });
+      };
+      const { outcome: last, helpers } = this;
+      const outcome = await layOut(await this.abflat(), opened, settings, last, watch, helpers);
       if (controller !== this.running) return;
       const drawing = await this.helpers.outcome(outcome);
       if (controller === this.running) this.outcome = outcome;

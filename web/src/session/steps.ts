@@ -11,6 +11,12 @@ export interface Step {
   outcome: Outcome | null;
 }
 
+/** All steps, and the number of the current one. */
+export interface StepList {
+  steps: Step[];
+  at: number;
+}
+
 /** Enough for an afternoon's work. */
 const MOST_STEPS = 200;
 /** Bytes of all results that are kept, and with those that undo and redo lead to: three of a million triangles. */
@@ -39,6 +45,19 @@ export class Steps {
   /** The number of the current step; -1 if there is none. */
   get current(): number {
     return this.at;
+  }
+
+  /** To go on with later; what is done in between does not change it. */
+  get list(): StepList {
+    return { steps: this.steps.map((step) => ({ ...step })), at: this.at };
+  }
+
+  /** Goes on with another mesh where it was left. */
+  resume({ steps, at }: StepList): void {
+    this.steps = steps;
+    this.at = at;
+    this.stream = undefined;
+    this.changed();
   }
 
   get canUndo(): boolean {

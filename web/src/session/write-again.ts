@@ -1,8 +1,9 @@
-import type { Abflat, KnownLayout, MeshInput, UnwrapResult } from 'abflat';
+import type { Abflat, FlattenResult, KnownLayout, MeshInput, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
 import { SAVING } from '../base/english';
 import type { ExportFormat, Outcome } from '../model/model';
 import { layOut } from './lay-out';
+import { judged, type Runs, type StackHelpers } from './stacks';
 
 export interface Written {
   obj?: Uint8Array;
@@ -17,6 +18,7 @@ export async function writeAgain(
   input: MeshInput,
   outcome: Outcome,
   format: ExportFormat,
+  helpers: StackHelpers,
   signal: AbortSignal,
 ): Promise<Written> {
   const { result } = outcome;
@@ -24,12 +26,26 @@ export async function writeAgain(
   const written =
     result.report.valid || staysInPlace(outcome)
       ? await keepAll(abflat, input, outcome, format, signal)
-      : (await layOut(abflat, { ...outcome, input }, outcome.settings, null, { signal }, format))
-          .result;
+      : (
+          await layOut(
+            abflat,
+            { ...outcome, input },
+            outcome.settings,
+            null,
+            { signal },
+            helpers,
+            format,
+          )
+        ).result;
   if (!isSame(written.indices, result.indices) || !isSame(written.uv, result.uv))
     throw new Error(SAVING.cameOutDifferently);
-  const { obj, ply, report } = written;
-  return { obj, ply, isValid: report.valid };
+  const { obj, ply } = written;
+  return { obj, ply, isValid: await isValid(written, { abflat, input, helpers, signal }) };
+}
+
+async function isValid(written: UnwrapResult | FlattenResult, runs: Runs): Promise<boolean> {
+  if (!('chartOfTriangle' in written)) return written.report.valid;
+  return (await judged(written, runs)).result.report.valid;
 }
 
 /** All charts stay where they are, so nothing is laid out. */

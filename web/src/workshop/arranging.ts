@@ -4,4 +4,5 @@ export { chartMesh } from '../arrange/chart-mesh';
 export { atDensity, evened, keptDensities } from '../arrange/density';
 export { movedUv } from '../arrange/move-charts';
 export { stacked } from '../arrange/stack';
+export { apart, restacked, stacksOf } from '../arrange/stacks';
 export { straightened } from '../arrange/straighten';

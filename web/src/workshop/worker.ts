@@ -29,6 +29,7 @@ import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { FaceDensities } from '../model/face-densities';
 import type { GltfFiles, LayoutArrays } from '../model/model';
+import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 
 // All but drawing is not part of the first load. What is loaded keeps the order of requests.
@@ -78,6 +79,14 @@ const tasks = {
 
   stacked: async (arrays: ChartArrays, charts: Uint32Array, fixed: Uint32Array): Promise<Motions> =>
     (await arranging()).stacked(arrays, charts, fixed),
+
+  stacks: async (arrays: ChartArrays): Promise<Stacks> => (await arranging()).stacksOf(arrays),
+
+  apart: async (arrays: ChartArrays, stacks: Stack[], rows: number) =>
+    (await arranging()).apart(arrays, stacks, rows),
+
+  restacked: async (before: ChartArrays, now: ChartArrays, stacks: Stack[]) =>
+    (await arranging()).restacked(before, now, stacks),
 
   evened: async (
     arrays: ChartArrays,

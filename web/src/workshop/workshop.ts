@@ -20,6 +20,7 @@ import type {
   Outcome,
   Unwrapped,
 } from '../model/model';
+import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
 import type { Tasks } from './worker';
@@ -79,7 +80,8 @@ export class Workshop implements Helpers {
     const { uv, indices, vertexMap, positions, chartOfTriangle, report } = result;
     const chartCount = report.charts.length;
     const colors = this.colors.of(chartOfTriangle, chartCount);
-    const size = { tiles: report.atlas.tiles, chartCount, colors };
+    const asked = outcome.settings.faceDensities;
+    const size = { tiles: report.atlas.tiles, chartCount, colors, asked };
     return this.send(
       [{ uv, indices, vertexMap, positions, chartOfTriangle }, trianglesOf(mesh)],
       (tasks, atlas, input) => tasks.atlas(atlas, size, input),
@@ -126,6 +128,20 @@ export class Workshop implements Helpers {
       if (how === 'stacked') return tasks.stacked(own, charts, fixed);
       return tasks.evened(own, layout, input, charts);
     });
+  }
+
+  stacks(atlas: ChartArrays): Promise<Stacks> {
+    return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.stacks(own));
+  }
+
+  apart(atlas: ChartArrays, stacks: Stack[], rows: number): Promise<Float64Array | null> {
+    return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.apart(own, stacks, rows));
+  }
+
+  restacked(before: ChartArrays, now: ChartArrays, stacks: Stack[]): Promise<Float64Array | null> {
+    return this.send([chartArraysOf(before), chartArraysOf(now)], (tasks, old, own) =>
+      tasks.restacked(old, own, stacks),
+    );
   }
 
   /** What faces of an atlas ask for now that its charts are elsewhere; see arrange/density.ts. */

@@ -1,0 +1,129 @@
+// Charts that are put on each other share texels on purpose: that is no fault, and packing keeps it.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { objText, together } from '../support/surfaces.mjs';
+import { atlas, middleOf } from './layout.mjs';
+import { exportAs, metrics, openPage, settled, textOf } from './page.mjs';
+
+/** A square that is a chart as it is, and one that lacks a corner. */
+const SQUARE = {
+  positions: [0, 1, 2, 3, 4, 5, 6, 7, 8].map((i) => [i % 3, Math.floor(i / 3), 0]),
+  faces: [0, 1, 3, 4].map((i) => [i, i + 1, i + 4, i + 3]),
+};
+const CORNER = { positions: SQUARE.positions, faces: SQUARE.faces.slice(0, 3) };
+const MESH = objText(
+  together([
+    [SQUARE, [0, 0, 0]],
+    [SQUARE, [3, 0, 0]],
+    [SQUARE, [6, 0, 0]],
+    [CORNER, [0, 5, 0]],
+  ]),
+);
+const FACES = 4;
+
+const SMALL = { viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' };
+
+async function arrange(page, value) {
+  await page.click('#selection-arrange');
+  await page.click(`#arrange-menu [data-value="${value}"]`);
+  await page.waitForFunction(
+    () => /tacked/.test(document.querySelector('#run-text').textContent) && !document.body.ariaBusy,
+  );
+}
+
+const cornersOf = ({ uv }, chart) =>
+  new Set(
+    uv
+      .slice(FACES * chart, FACES * (chart + 1))
+      .flatMap((face) => face.map((corner) => corner.map((x) => x.toFixed(6)).join(' '))),
+  );
+
+function areStacked(shown) {
+  const [first, ...others] = [0, 1, 2].map((chart) => [...cornersOf(shown, chart)].sort());
+  for (const each of others) assert.deepEqual(each, first);
+}
+
+async function packAgain(page) {
+  if (await page.isHidden('#details')) await page.click('#details-toggle');
+  await page.click('#tab-charts');
+  await page.click('#pack-again');
+  await settled(page);
+}
+
+const isValid = async (page) => {
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal(await textOf(page, '#reason'), '3 charts stacked, no other overlaps');
+  assert.ok(await page.isHidden('#marks'));
+};
+
+const utilization = async (page) => parseFloat((await metrics(page)).Utilisation);
+
+test('stacked charts are valid, stay stacked when all is packed again, and are exported so', async (t) => {
+  const page = await openPage(t, { ...SMALL, mode: 'unwrap', open: ['mesh.obj', MESH] });
+  const apart = await utilization(page);
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('a');
+  await arrange(page, 'stacked');
+  assert.match(
+    await textOf(page, '#run-text'),
+    /^Stacked 3 charts; 1 has another shape, checked in [^,]*$/,
+  );
+  await isValid(page);
+  areStacked(await atlas(page));
+  const unpacked = await utilization(page);
+  assert.ok(unpacked < apart, 'texels that are shared count once');
+  await packAgain(page);
+  await isValid(page);
+  areStacked(await atlas(page));
+  assert.ok((await utilization(page)) > 1.3 * unpacked, 'the room is used');
+  // Other options pack anew as well.
+  await page.selectOption('#resolution', '512');
+  await settled(page);
+  await isValid(page);
+  const shown = await atlas(page);
+  areStacked(shown);
+  // In another format a note would say if the layout were not valid any more.
+  await exportAs(page, 'glb');
+  assert.doesNotMatch(await textOf(page, '#run-text'), /flip|overlap/);
+
+  // A chart that comes to lie on a stack by accident is a fault.
+  const [to, from] = [0, 3].map((chart) => middleOf(shown.uv[FACES * chart]));
+  await page.locator('#charts tbody tr').last().click();
+  for (const d of [0, 1]) {
+    await page.focus('#layout-canvas');
+    await page.keyboard.press('g');
+    await page.keyboard.press('xy'[d]);
+    await page.keyboard.type((to[d] - from[d]).toFixed(4));
+    await page.keyboard.press('Enter');
+    await settled(page);
+  }
+  assert.equal(await textOf(page, '#badge'), 'Not valid');
+  assert.match(await textOf(page, '#reason'), /overlaps the chart/);
+});
+
+test('charts of different shapes are not stacked, and that is said', async (t) => {
+  const page = await openPage(t, {
+    ...SMALL,
+    mode: 'unwrap',
+    open: [
+      'two.obj',
+      objText(
+        together([
+          [SQUARE, [0, 0, 0]],
+          [CORNER, [0, 5, 0]],
+        ]),
+      ),
+    ],
+  });
+  const before = await atlas(page);
+  await page.keyboard.press('a');
+  await arrange(page, 'stacked');
+  assert.equal(
+    await textOf(page, '#run-text'),
+    'Nothing was stacked: no two of these charts have the same shape',
+  );
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.deepEqual((await atlas(page)).uv, before.uv);
+  assert.ok(await page.isDisabled('#undo'));
+});
