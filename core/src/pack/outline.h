@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +11,10 @@ namespace abflat {
 struct PlanePoint {
   double x = 0, y = 0;
 };
+
+inline double distance(PlanePoint a, PlanePoint b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
 
 /// Closed polygons, one after the other, in groups. A point is covered if it has a non-zero winding
 /// number in some group.

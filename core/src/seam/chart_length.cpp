@@ -12,10 +12,6 @@ namespace {
 
 using Distances = IdVector<OpenVertex, double>;
 
-double distance(PlanePoint a, PlanePoint b) {
-  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
-}
-
 /// Distances along edges, within the chart of `from`.
 Distances distancesFrom(const CutSurface& s, const IdVector<OpenVertex, PlanePoint>& at,
                         OpenVertex from) {

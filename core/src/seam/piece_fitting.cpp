@@ -7,10 +7,6 @@
 namespace abflat {
 namespace {
 
-double distance(PlanePoint a, PlanePoint b) {
-  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
-}
-
 using FlatLoop = IdVector<BoundaryIndex, PlanePoint>;
 
 double perimeterOf(const FlatLoop& loop) {

@@ -19,7 +19,7 @@ struct Island {
   std::string trouble;   ///< why it cannot stay, naming a face; empty: it can
 };
 
-std::string nameOf(InputFace face) { return "face " + std::to_string(face) + "'s"; }
+std::string ownerOf(InputFace face) { return "face " + std::to_string(face) + "'s"; }
 
 class UnfitIslands {
  public:
@@ -91,7 +91,7 @@ class UnfitIslands {
   }
 
   void blame(Island& island, SurfaceTriangle t, const std::string& why) const {
-    island.trouble = nameOf(map_.face(t)) + " " + why;
+    island.trouble = ownerOf(map_.face(t)) + " " + why;
   }
 
   bool hasArea(SurfaceTriangle t) const {
@@ -125,7 +125,7 @@ class UnfitIslands {
       Island& island = islands_[order[i]];
       if (other[i] == kNoOverlap || island.isChart) continue;
       const SurfaceTriangle there = islands_[order[other[i]]].triangles.front();
-      const std::string what = other[i] == i ? "itself" : nameOf(map_.face(there));
+      const std::string what = other[i] == i ? "itself" : ownerOf(map_.face(there));
       blame(island, island.triangles.front(), "overlaps " + what);
     }
   }
