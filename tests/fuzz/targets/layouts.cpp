@@ -117,8 +117,8 @@ void expectValidGltf(const PolygonMesh& mesh, const UnwrapResult& result) {
 }
 
 void expectFile(const PolygonMesh& mesh, const UnwrapResult& result, MeshFormat format) {
-  const auto write = format == MeshFormat::Obj ? writeObj : writePly;
-  const std::string bytes = write(mesh, result.uv, result.cornerUv, {});
+  const std::string bytes = format == MeshFormat::Obj ? writeObj(mesh, result.uv, result.cornerUv)
+                                                      : writePly(mesh, result.uv, result.cornerUv);
   const Result<PolygonMesh> again = readMesh(bytes, format, "written");
   expect(again.ok(), "what is written can be read: " + again.status.message);
   expectSame(mesh, {result.uv, result.cornerUv}, again.value);
