@@ -96,7 +96,10 @@ for (const [name, mesh] of Object.entries(MESHES))
       }
       assert.equal(code, 0, format);
       // Parts that are tiny beside the others lose their shape in a glTF, which is said.
-      assert.match(stderr, format === 'glb' ? /^(abflat: in\.obj: single precision, .+\n)?$/ : /^$/);
+      assert.match(
+        stderr,
+        format === 'glb' ? /^(abflat: in\.obj: single precision, .+\n)?$/ : /^$/,
+      );
       const judged = judgeFile(at(`out.${format}`));
       assert.ok(judged.isValid, `${format}: ${JSON.stringify(judged)}`);
       assert.ok(judged.triangles >= mesh.faces.length);

@@ -45,8 +45,7 @@ function drilled(random) {
       const hole = circle(n, random.between(0.1, 0.45), x + 0.5, y + 0.5);
       const rims = [0, thickness].map((z) => hole.map(([u, v]) => out.vertex(u, v, z)));
       const ends = [0, thickness].map((z) => square.map(([u, v]) => out.vertex(u, v, z)));
-      const flat = (side, ...corners) =>
-        out.face(...(side === 1 ? corners : corners.toReversed()));
+      const flat = (side, ...corners) => out.face(...(side === 1 ? corners : corners.toReversed()));
       for (const side of [0, 1]) {
         for (let i = 0; i < n; i++) {
           const corner = ends[side][(2 + Math.floor((4 * i) / n)) % 4];
@@ -87,9 +86,12 @@ function turned(random) {
       out.face(rings[k - 1][i], rings[k - 1][j], rings[k][j], rings[k][i]);
     }
   const cap = (ring, height) => {
-    if (!isPointed) return out.face(...ring);
+    if (!isPointed) {
+      out.face(...ring);
+      return;
+    }
     const tip = out.vertex(0, 0, height);
-    ring.forEach((v, i) => out.face(v, ring[(i + 1) % n], tip));
+    for (const [i, v] of ring.entries()) out.face(v, ring[(i + 1) % n], tip);
   };
   cap(rings[0].toReversed(), random.between(-1, 0));
   cap(rings.at(-1), z + random.between(0, 1));

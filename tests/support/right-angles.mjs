@@ -83,7 +83,10 @@ function voxels(random) {
   const lines = size.map((n) => gridLines(random, n));
   const full = new Set([size.map((n) => whole(random, 0, n - 1)).join()]);
   for (let i = whole(random, 0, 25); i > 0; i--) {
-    const from = random.pick([...full]).split(',').map(Number);
+    const from = random
+      .pick([...full])
+      .split(',')
+      .map(Number);
     const { axis, step } = random.pick(SIDES);
     from[axis] += step;
     if (from[axis] >= 0 && from[axis] < size[axis]) full.add(from.join());
@@ -164,7 +167,10 @@ export const RIGHT_ANGLED = { voxels, maze, room, stairs, grille };
 
 /** Numbers vertices at random and turns and scales the mesh, if that is asked for. */
 export function disguised(random, { positions, faces }) {
-  const order = shuffled(random, positions.map((_, i) => i));
+  const order = shuffled(
+    random,
+    positions.map((_, i) => i),
+  );
   const place = new Map(order.map((old, now) => [old, now]));
   const [a, b] = [random.between(0, 7), random.between(0, 7)];
   const size = random.pick([1, 0.001, 40]);
@@ -175,6 +181,9 @@ export function disguised(random, { positions, faces }) {
   const moved = random.chance(0.5) ? (p) => turn(p).map((x) => size * x) : (p) => p;
   return {
     positions: order.map((old) => moved(positions[old])),
-    faces: shuffled(random, faces.map((face) => face.map((v) => place.get(v)))),
+    faces: shuffled(
+      random,
+      faces.map((face) => face.map((v) => place.get(v))),
+    ),
   };
 }
