@@ -62,7 +62,9 @@ test('any set can be read: its islands are seams, or stay as they are', async ()
   const [first, second] = [numbers(0), numbers(2)];
   const kept = await unwrapped(document, { fixedFaces: 'uv', readTexcoord: 2 });
   assert.equal(kept.atlases[0].texcoord, 2);
-  assert.deepEqual([numbers(0), numbers(2)], [first, second]);
+  // As texts: what deepEqual would print of so many numbers takes minutes.
+  assert.ok(`${numbers(0)}` === `${first}`, 'the other set stays');
+  assert.ok(`${numbers(2)}` === `${second}`, 'fixed islands stay bit by bit');
   assert.throws(() => unwrap(abflat, { readTexcoord: -1 }), /readTexcoord must be a whole number/);
 });
 

@@ -60,9 +60,14 @@ export function unwrap(
   options: UnwrapDocumentOptions = {},
 ): Transform {
   const own = optionsOf(options);
-  const { readTexcoord = 0, groupBy = 'scene', onAtlas, ...others } = own;
-  const { texcoord = others.fixedFaces === 'uv' ? readTexcoord : 0, ...rest } = others;
-  const { overwrite = texcoord === 'auto' || rest.fixedFaces !== undefined, ...settings } = rest;
+  const {
+    readTexcoord = 0,
+    texcoord = own.fixedFaces === 'uv' ? readTexcoord : 0,
+    overwrite = texcoord === 'auto' || own.fixedFaces !== undefined,
+    groupBy = 'scene',
+    onAtlas,
+    ...settings
+  } = own;
   checkAbflat(abflat);
   check({ texcoord, readTexcoord, overwrite, groupBy, onAtlas });
   checkFunction('onProgress', own.onProgress);

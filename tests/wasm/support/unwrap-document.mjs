@@ -16,7 +16,8 @@ import {
  */
 export async function unwrapDocument(abflat, document, { isMirrored, ...given } = {}) {
   const options = { overwrite: true, ...given };
-  const { texcoord = 0 } = options;
+  const { readTexcoord = 0, fixedFaces } = options;
+  const { texcoord = fixedFaces === 'uv' ? readTexcoord : 0 } = options;
   const before = await reread(document);
   const atlases = [];
   await document.transform(unwrap(abflat, { ...options, onAtlas: (atlas) => atlases.push(atlas) }));
