@@ -65,7 +65,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   );
   assert.deepEqual(verdictOf(bad), {
     badge: 'Not valid',
-    reason: '1 of 2 charts: it folds',
+    reason: '1 chart is not valid: it folds',
     remedy: null,
   });
 });

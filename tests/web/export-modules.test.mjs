@@ -148,6 +148,6 @@ test('a file with other coordinates is refused', async () => {
     },
   };
   await assert.rejects(writeAgain(liar, made.input, made.outcome, 'ply', signal), {
-    message: /came out differently/,
+    message: /gave a different layout/,
   });
 });

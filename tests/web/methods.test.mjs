@@ -70,7 +70,7 @@ test('edges that resist the Delaunay condition are marked', { skip: withoutShare
   const plain = await picture(page, '#layout-canvas');
   await page.click('#delaunay');
   await settled(page);
-  assert.match(await textOf(page, '#marks'), /^\d+ edges cannot become Delaunay$/);
+  assert.match(await textOf(page, '#marks'), /^\d+ edges cannot be made Delaunay$/);
   assert.notDeepEqual(await picture(page, '#layout-canvas'), plain);
 });
 
