@@ -231,7 +231,7 @@ std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit)
 }
 
 OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
-                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary,
+                    ThreadPool& pool, const std::function<bool()>& keepsOn, SeamSummary& summary,
                     std::vector<std::string>& notes) {
   SeamReport found;
   OpenSurface open = openWith(uncut, asked, options, pool, keepsOn, found);

@@ -46,7 +46,7 @@ struct AskedCuts {
 /// Cuts the surface around what is fixed, and fills the holes of its charts. `keepsOn` as in
 /// SeamOptions. Adds a note if seams should be symmetric, but cannot be.
 OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
-                    ThreadPool& pool, std::function<bool()> keepsOn, SeamSummary& summary,
+                    ThreadPool& pool, const std::function<bool()>& keepsOn, SeamSummary& summary,
                     std::vector<std::string>& notes);
 
 /// How flattening distorted a chart.
