@@ -152,7 +152,7 @@ test('Charts: each key does what the sheet says', async (t) => {
   const gesture = (key) => async () => {
     await press('a');
     await press(key);
-    assert.match(await textOf(page, '#selection-text'), /^(Move|Turn|Scale) /);
+    assert.match(await textOf(page, '#selection-text'), /^(Move|Rotate|Scale) /);
     await press('Escape');
     assert.ok(await isSelected());
   };
