@@ -174,6 +174,6 @@ test('where the clipboard is refused, the page says what to do', async (t) => {
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
   assert.match(
     await textOf(page, '#alert'),
-    /^Nothing was copied: .*\s+Allow it in the site settings/,
+    /^Nothing was copied, because .*\s+Allow it in the site settings/,
   );
 });
