@@ -1,6 +1,7 @@
 #include "boundary/guilty_arc.h"
 
 #include "base/constants.h"
+#include "check/validity.h"
 
 namespace abflat {
 
@@ -11,6 +12,13 @@ IdVector<BoundaryIndex, double> boundaryAngles(const DiskChart& chart, const Ang
     sum[chart.vertexOfCorner[c]] += s.angles[c];
   IdVector<BoundaryIndex, double> out;
   for (const ChartCorner h : chart.boundary) out.push_back(sum[chart.vertexOfCorner[h]]);
+  return out;
+}
+
+IdVector<BoundaryIndex, double> boundaryAngles(const DiskChart& chart,
+                                               const std::vector<double>& uv) {
+  IdVector<BoundaryIndex, double> out;
+  for (const ChartCorner h : chart.boundary) out.push_back(boundaryAngle(chart, uv, h));
   return out;
 }
 

@@ -11,6 +11,10 @@ namespace abflat {
 /// Interior angles at the boundary vertices, radians.
 IdVector<BoundaryIndex, double> boundaryAngles(const DiskChart& chart, const AngleSolution& s);
 
+/// The same, of the layout itself.
+IdVector<BoundaryIndex, double> boundaryAngles(const DiskChart& chart,
+                                               const std::vector<double>& uv);
+
 /// How far the boundary has turned: prefix sums of pi - angle.
 std::vector<double> turnedAlong(const IdVector<BoundaryIndex, double>& boundaryAngles);
 

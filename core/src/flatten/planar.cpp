@@ -63,9 +63,7 @@ void drawBackContacts(const DiskChart& chart, Attempt& a) {
     Crossings exact = findCrossings(boundaryUv(chart, uv));
     return exact.count > 0 ? exact : findContacts(chart, uv);
   };
-  IdVector<BoundaryIndex, double> angles;
-  for (const ChartCorner h : chart.boundary) angles.push_back(boundaryAngle(chart, a.uv, h));
-  const std::vector<double> turned = turnedAlong(angles);
+  const std::vector<double> turned = turnedAlong(boundaryAngles(chart, a.uv));
   constexpr double kFewCells = 4;
   DrawnBack drawn = drawBack({chart, a.uv, {}, turned}, kFewCells * contactCell(chart, a.uv),
                              a.validity.crossings, crossings);

@@ -126,9 +126,7 @@ bool isDrawnBack(const DiskChart& chart, Numbers numbers, const std::vector<doub
   const auto crossings = [&](const std::vector<double>& uv) {
     return findCrossings(boundaryUv(chart, rounded(numbers, flat.isFixed, uv)));
   };
-  IdVector<BoundaryIndex, double> angles;
-  for (const ChartCorner h : chart.boundary) angles.push_back(boundaryAngle(chart, exact, h));
-  const std::vector<double> turned = turnedAlong(angles);
+  const std::vector<double> turned = turnedAlong(boundaryAngles(chart, exact));
   const StraightPlaces straight = flat.uncommon ? flat.uncommon->straightPlaces : StraightPlaces();
   constexpr double kFewSteps = 2;
   DrawnBack drawn = drawBack({chart, exact, straight, turned}, kFewSteps * stepOf(exact, numbers),
