@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
 #include "abflat/gltf.h"
+#include "base/number_text.h"
 
 namespace abflat {
 namespace gltf {
@@ -84,12 +84,6 @@ class Rounding {
   const std::vector<std::uint32_t>& corners_;
 };
 
-std::string text(const char* format, double x) {
-  std::array<char, 40> out{};
-  std::snprintf(out.data(), out.size(), format, x);
-  return out.data();
-}
-
 }  // namespace
 
 Origin originOf(const PolygonMesh& mesh, const std::vector<std::uint32_t>& triangleCorners) {
@@ -109,15 +103,14 @@ Origin originOf(const PolygonMesh& mesh, const std::vector<std::uint32_t>& trian
 
 std::string originNote(const PolygonMesh& mesh, const std::vector<std::uint32_t>& triangleCorners) {
   const gltf::Origin origin = gltf::originOf(mesh, triangleCorners);
-  const std::string rest = "single precision, all that glTF has, moves vertices by up to " +
-                           gltf::text("%.2g", origin.error);
+  const std::string rest =
+      "single precision, all that glTF has, moves vertices by up to " + withDigits(origin.error, 2);
   const std::string remedy = rest + ". Write OBJ or PLY to keep coordinates exactly";
   if (origin.offset == gltf::Origin().offset) return origin.isVisible ? remedy : "";
   std::string out =
       "the mesh is far from the origin, where single precision would move vertices by up to " +
-      gltf::text("%.2g", origin.unmoved) + ". So nodes are translated by (";
-  for (std::size_t d = 0; d < 3; ++d)
-    out += (d == 0 ? "" : ", ") + gltf::text("%.9g", origin.offset[d]);
+      withDigits(origin.unmoved, 2) + ". So nodes are translated by (";
+  for (std::size_t d = 0; d < 3; ++d) out += (d == 0 ? "" : ", ") + withDigits(origin.offset[d], 9);
   out += "), and positions are relative to that";
   return origin.isVisible ? out + "; " + rest + " still" : out;
 }

@@ -1,7 +1,5 @@
 #include "base/number_text.h"
 
-#include <fast_float/fast_float.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -40,13 +38,6 @@ bool parseInteger(std::string_view word, std::int64_t& value) {
   const char* end = word.data() + word.size();
   const auto [rest, error] = std::from_chars(word.data(), end, value);
   return error == std::errc{} && rest == end && !word.empty();
-}
-
-const char* scanDouble(const char* begin, const char* end, double& value) {
-  const auto [rest, error] = fast_float::from_chars(begin, end, value);
-  // Out of range, the value is 0 or infinity; older library releases do not report that as an
-  // error.
-  return error == std::errc{} || error == std::errc::result_out_of_range ? rest : nullptr;
 }
 
 bool parseDouble(std::string_view word, double& value) {
@@ -99,6 +90,34 @@ char* appendScientific(char* out, std::string_view digits, int exponent) {
   return std::to_chars(out, out + 3, exponent).ptr;
 }
 
+/// The end of a number without ".0".
+char* withoutZero(char* begin, char* end) {
+  return end - begin > 2 && end[-1] == '0' && end[-2] == '.' ? end - 2 : end;
+}
+
+struct Rounded {
+  std::string digits;
+  int point;
+};
+
+/// Half up. Zeros at the end are left out.
+Rounded roundedTo(const Decimal& decimal, int digits) {
+  const auto kept = static_cast<std::size_t>(digits);
+  Rounded out{std::string(decimal.digits.substr(0, kept)), decimal.point};
+  if (decimal.digits.size() > kept && decimal.digits[kept] >= '5') {
+    std::size_t i = kept;
+    while (i > 0 && out.digits[i - 1] == '9') out.digits[--i] = '0';
+    if (i > 0)
+      ++out.digits[i - 1];
+    else
+      out = {"1", decimal.point + 1};
+  }
+  out.digits.resize(out.digits.find_last_not_of('0') + 1);
+  return out;
+}
+
+constexpr int kLeastPlain = -4;
+
 }  // namespace
 
 char* writeReal(char* out, double value) {
@@ -106,7 +125,7 @@ char* writeReal(char* out, double value) {
   if (value == 0) return append(out, "0.0");
   std::array<char, kMostShortestChars> text;
   const Decimal decimal = takeApart(text.data(), writeShortest(text.data(), std::abs(value)));
-  constexpr int kLeastPlain = -4, kMostPlain = std::numeric_limits<double>::digits10;
+  constexpr int kMostPlain = std::numeric_limits<double>::digits10;
   if (kLeastPlain < decimal.point && decimal.point <= kMostPlain)
     return appendPlain(out, decimal.digits, decimal.point);
   return appendScientific(out, decimal.digits, decimal.point - 1);
@@ -117,8 +136,22 @@ char* writeDouble(char* out, double value) {
     const std::string_view text = std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
     return append(out, text);
   }
-  char* const end = writeReal(out, value);
-  return end - out > 2 && end[-1] == '0' && end[-2] == '.' ? end - 2 : end;
+  return withoutZero(out, writeReal(out, value));
+}
+
+std::string withDigits(double value, int digits) {
+  std::array<char, kMostDoubleChars> buffer;
+  if (value == 0 || !std::isfinite(value))
+    return {buffer.data(), writeDouble(buffer.data(), value)};
+  std::array<char, kMostShortestChars> text;
+  const Decimal decimal = takeApart(text.data(), writeShortest(text.data(), std::abs(value)));
+  const Rounded rounded = roundedTo(decimal, digits);
+  char* out = buffer.data();
+  if (value < 0) *out++ = '-';
+  const bool isPlain = kLeastPlain < rounded.point && rounded.point <= digits;
+  out = isPlain ? withoutZero(out, appendPlain(out, rounded.digits, rounded.point))
+                : appendScientific(out, rounded.digits, rounded.point - 1);
+  return {buffer.data(), out};
 }
 
 char* writeInteger(char* out, std::uint32_t value) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace abflat {
@@ -29,5 +30,9 @@ char* writeDouble(char* out, double value);
 char* writeReal(char* out, double value);
 /// The same for an integer, at most kMostIntegerChars characters.
 char* writeInteger(char* out, std::uint32_t value);
+
+/// Rounded to so many significant digits, without zeros at the end, for sentences. With an exponent
+/// from 10^digits on and below 10^-4.
+std::string withDigits(double value, int digits);
 
 }  // namespace abflat

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/number_text.h"
 #include "boundary/move_apart.h"
 #include "boundary/untangle.h"
 
@@ -73,7 +74,7 @@ std::optional<Attempt> lastResort(ChartFlattener& flattener, const BoundaryBound
     if (a.isGivenUp()) return std::nullopt;
     if (!a.valid()) continue;
     a.fallbacks.push_back("no valid layout with a free boundary; lowered all bounds to " +
-                          std::to_string(limit).substr(0, 3) + " pi");
+                          withDigits(limit, 2) + " pi");
     return a;
   }
   return std::nullopt;

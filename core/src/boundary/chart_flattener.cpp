@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/constants.h"
+#include "base/number_text.h"
 #include "base/stopwatch.h"
 #include "boundary/contacts.h"
 #include "layout/layout.h"
@@ -28,10 +28,9 @@ constexpr double kCompliances[] = {1, 0.1, 1e-2, 1e-3};
 /// Radians beyond pi, with the last compliance.
 constexpr double kResisting = 1e-2;
 
-std::string withFloor(const char* text, double floor) {
-  char out[200];
-  std::snprintf(out, sizeof out, text, floor);
-  return out;
+std::string withFloor(const char* why, double floor) {
+  return std::string(why) + "; used the interior point with a barrier floor of " +
+         withDigits(floor, 6);
 }
 
 std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solution) {
@@ -44,11 +43,11 @@ std::string heavierAngles(const AngleProblem& problem, const AngleSolution& solu
 std::string reasonWithoutFactor(const FactorMemory& memory) {
   if (memory.fits()) return {};
   constexpr double kMegabyte = 1048576;
-  char out[120];
-  std::snprintf(out, sizeof out, "factoring the matrix needs %.4g MB, but only %.4g MB are allowed",
-                static_cast<double>(memory.needed) / kMegabyte,
-                static_cast<double>(memory.allowed) / kMegabyte);
-  return out;
+  const auto megabytes = [](std::uint64_t bytes) {
+    return withDigits(static_cast<double>(bytes) / kMegabyte, 4) + " MB";
+  };
+  return "factoring the matrix needs " + megabytes(memory.needed) + ", but only " +
+         megabytes(memory.allowed) + " are allowed";
 }
 
 /// Whether coordinates do not resolve the angles of the solution.
@@ -132,9 +131,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
     a.fallbacks.push_back(std::move(note));
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
   if (a.solution.barrierFloor > 0)
-    a.fallbacks.push_back(
-        withFloor("the active set stalled; used the interior point with a barrier floor of %g",
-                  a.solution.barrierFloor));
+    a.fallbacks.push_back(withFloor("the active set stalled", a.solution.barrierFloor));
   layOutAndCheck(a);
   for (const double floor : kFloors) {
     if (isDelaunay || !isMisdrawn(a) || floor <= a.solution.barrierFloor) continue;
@@ -143,9 +140,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
     b.solution = solver_->solveWithFloor(floor);
     timings_.solve += watch.lap();
     if (b.solution.cancelled) return withoutLayout(t);
-    b.fallbacks.push_back(withFloor(
-        "angles were too small to draw; used the interior point with a barrier floor of %g",
-        floor));
+    b.fallbacks.push_back(withFloor("angles were too small to draw", floor));
     layOutAndCheck(b);
     a = std::move(b);
   }

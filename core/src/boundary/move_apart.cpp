@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "base/number_text.h"
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "boundary/guilty_arc.h"
@@ -182,13 +182,9 @@ DrawnBack drawBack(const TouchingLayout& layout, double first, Crossings left,
 }
 
 std::string drawnBackNote(const DrawnBack& drawn, const DiskChart& chart) {
-  char out[140];
-  std::snprintf(
-      out, sizeof out,
-      "the boundary touched itself; %zu of its vertices were pulled back by up to %.1g of "
-      "its extent",
-      drawn.moved, drawn.farthest / extentOf(chart, drawn.uv));
-  return out;
+  return "the boundary touched itself; " + std::to_string(drawn.moved) +
+         " of its vertices were pulled back by up to " +
+         withDigits(drawn.farthest / extentOf(chart, drawn.uv), 1) + " of its extent";
 }
 
 Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {

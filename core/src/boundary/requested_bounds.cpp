@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <unordered_map>
+
+#include "base/number_text.h"
 
 namespace abflat {
 namespace {
@@ -24,17 +25,15 @@ Status checkSum(const BoundaryBounds& t, double common) {
   for (const double x : t) sum += x;
   if (sum >= (n - 2) * (1 - 1e-14)) return {};  // up to the rounding of the sum
   const bool uniform = std::all_of(t.begin(), t.end(), [&](double x) { return x == common; });
-  char text[240];
+  const std::string vertices = std::to_string(t.size()) + " boundary vertices";
   if (uniform)
-    std::snprintf(text, sizeof text,
-                  "t = %g is too small: with %zu boundary vertices, t must be at least %.17g",
-                  common, t.size(), 1 - 2 / n);
-  else
-    std::snprintf(text, sizeof text,
-                  "the bounds cannot be met: they sum to %.6g pi, but the interior angles of %zu "
-                  "boundary vertices sum to %g pi. Raise t, or some of the bounds",
-                  sum, t.size(), n - 2);
-  return {StatusCode::InfeasibleBound, text};
+    return {StatusCode::InfeasibleBound, "t = " + withDigits(common, 6) + " is too small: with " +
+                                             vertices + ", t must be at least " +
+                                             withDigits(1 - 2 / n, 17)};
+  return {StatusCode::InfeasibleBound, "the bounds cannot be met: they sum to " +
+                                           withDigits(sum, 6) + " pi, but the interior angles of " +
+                                           vertices + " sum to " + withDigits(n - 2, 6) +
+                                           " pi. Raise t, or some of the bounds"};
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/constants.h"
 #include "base/counted.h"
+#include "base/number_text.h"
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "check/distortion.h"
@@ -44,29 +44,24 @@ std::string flippedText(const DiskChart& chart, const Attempt& a) {
 }  // namespace
 
 std::string missedText(const MissedAngles& exceeded, const MissedAngles& bent) {
-  char most[60];
   std::string out;
-  if (exceeded.count > 0) {
-    std::snprintf(most, sizeof most, " of the requested bounds, by up to %.3g pi",
-                  exceeded.most / kPi);
-    out = "the layout exceeds " + std::to_string(exceeded.count) + most;
-  }
-  if (bent.count > 0) {
-    std::snprintf(most, sizeof most, ", by up to %.3g radians", bent.most);
+  if (exceeded.count > 0)
+    out = "the layout exceeds " + std::to_string(exceeded.count) +
+          " of the requested bounds, by up to " + withDigits(exceeded.most / kPi, 3) + " pi";
+  if (bent.count > 0)
     out += (out.empty() ? "" : "; ") + std::string("straight runs bend at ") +
-           counted(bent.count, "vertex", "vertices") + most;
-  }
+           counted(bent.count, "vertex", "vertices") + ", by up to " + withDigits(bent.most, 3) +
+           " radians";
   return out;
 }
 
 std::string findProblem(const DiskChart& chart, const Attempt& a) {
   const Validity& v = a.validity;
   if (!a.converged()) {
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "the solver did not converge: constraint residual %.2g after %zu steps",
-                  a.solution.constraintResidual, a.solution.history.size());
-    return text + std::string(a.straight ? ". Shorten or remove straight runs" : "");
+    return "the solver did not converge: constraint residual " +
+           withDigits(a.solution.constraintResidual, 2) + " after " +
+           std::to_string(a.solution.history.size()) + " steps" +
+           (a.straight ? ". Shorten or remove straight runs" : "");
   }
   if (a.pins && a.wasValidUnpinned && !v.valid())
     return "the pins fold the layout: " +

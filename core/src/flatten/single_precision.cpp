@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "abflat/flatten.h"
 #include "abflat/unit_square.h"
 #include "base/counted.h"
+#include "base/number_text.h"
 #include "base/round_texcoords.h"
 #include "base/stopwatch.h"
 #include "boundary/missed_angles.h"
@@ -49,12 +49,9 @@ std::string findDefect(const Rounded& rounded) {
   if (validity.crossings.count > 0)
     return "the boundary would cross itself at " +
            counted(validity.crossings.count, "place", "places");
-  if (rounded.angleMissedBy > 0) {
-    char text[80];
-    std::snprintf(text, sizeof text, "boundary angles would be off by up to %.2g radians",
-                  rounded.angleMissedBy);
-    return text;
-  }
+  if (rounded.angleMissedBy > 0)
+    return "boundary angles would be off by up to " + withDigits(rounded.angleMissedBy, 2) +
+           " radians";
   return {};
 }
 

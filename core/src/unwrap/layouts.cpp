@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 
+#include "base/counted.h"
+#include "base/number_text.h"
 #include "base/stable_order.h"
 
 namespace abflat {
@@ -107,15 +108,13 @@ void noteStretched(const CutMesh& mesh, const FlatCharts& flat, const UnwrapOpti
     if (count++ == 0 || stretchOf(i) > stretchOf(worst)) worst = i;
   }
   if (count == 0) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%zu %s stretched by more than %g, up to %.5g for the chart of face %u: ", count,
-                count == 1 ? "chart is" : "charts are", options.maxStretch, stretchOf(worst),
-                std::uint32_t{mesh.map.face(mesh.set.topology(worst).triangles.front())});
-  notes.push_back(text + std::string(isFree(options) ? "no seam that was tried helps enough"
-                                     : options.straightSeams
-                                         ? "straight seams force that"
-                                         : "a larger t, or auto, stretches less"));
+  const std::uint32_t face{mesh.map.face(mesh.set.topology(worst).triangles.front())};
+  notes.push_back(counted(count, "chart is", "charts are") + " stretched by more than " +
+                  withDigits(options.maxStretch, 6) + ", up to " + withDigits(stretchOf(worst), 5) +
+                  " for the chart of face " + std::to_string(face) + ": " +
+                  (isFree(options)         ? "no seam that was tried helps enough"
+                   : options.straightSeams ? "straight seams force that"
+                                           : "a larger t, or auto, stretches less"));
 }
 
 }  // namespace abflat

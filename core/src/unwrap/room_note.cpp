@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/number_text.h"
 #include "base/point2.h"
 
 namespace abflat {
@@ -82,11 +82,7 @@ std::string reason(const Occupants& occupants, RoomMode mode, const FlatCharts& 
          (isPadded ? ". A higher resolution or less padding leaves less between charts" : "");
 }
 
-std::string percent(double share, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g %%", digits, 100 * share);
-  return text;
-}
+std::string percent(double share, int digits) { return withDigits(100 * share, digits) + " %"; }
 
 std::string shareText(double reached, double asked) {
   if (asked == kAutoMinUtilization) return percent(reached, 2) + " of the tile";

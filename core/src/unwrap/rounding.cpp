@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/number_text.h"
 #include "base/round_texcoords.h"
 #include "boundary/guilty_arc.h"
 #include "boundary/move_apart.h"
@@ -238,12 +238,6 @@ bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
   return false;
 }
 
-std::string number(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
 }  // namespace
 
 void placeInAtlas(const Packing& packing, FlatCharts& flat) {
@@ -299,12 +293,12 @@ std::vector<std::string> fittingNotes(const FlatCharts& flat, Numbers numbers) {
   std::vector<std::string> out;
   if (larger > 0)
     out.push_back(std::to_string(larger) + (larger == 1 ? " tiny chart is" : " tiny charts are") +
-                  " enlarged up to " + number(most) + " times: " + precision +
+                  " enlarged up to " + withDigits(most, 3) + " times: " + precision +
                   " would lose triangles at the texel density of the other charts");
   if (vertices > 0)
     out.push_back(std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") + " of " +
                   std::to_string(charts) + (charts == 1 ? " chart" : " charts") +
-                  " moved by up to " + number(farthest) + " in uv, so that rounding to " +
+                  " moved by up to " + withDigits(farthest, 3) + " in uv, so that rounding to " +
                   precision + " folds nothing");
   return out;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "base/number_text.h"
 #include "cut/filled_table.h"
 #include "hole/fill_holes.h"
 #include "mesh/triangle_geometry.h"
@@ -221,13 +221,12 @@ std::string asymmetryNote(Asymmetry why) {
 }  // namespace
 
 std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit) {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "faces of very different sizes are cut apart: face %u is %.3g long, its neighbour, "
-                "face %u, is %.3g",
-                std::uint32_t{map.face(jump.large)}, jump.largeSide * unit,
-                std::uint32_t{map.face(jump.small)}, jump.smallSide * unit);
-  return text;
+  const auto face = [&](auto triangle) {
+    return "face " + std::to_string(std::uint32_t{map.face(triangle)});
+  };
+  return "faces of very different sizes are cut apart: " + face(jump.large) + " is " +
+         withDigits(jump.largeSide * unit, 3) + " long, its neighbour, " + face(jump.small) +
+         ", is " + withDigits(jump.smallSide * unit, 3);
 }
 
 OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,

@@ -99,6 +99,49 @@ TEST_CASE("short numbers have short texts, and what is no number has one") {
   }
 }
 
+TEST_CASE("texts of any number of digits are read as the nearest double") {
+  std::mt19937_64 random(11);
+  const auto digits = [&](std::size_t count) {
+    std::string out;
+    while (out.size() < count) out += static_cast<char>('0' + random() % 10);
+    return out;
+  };
+  const auto check = [](const std::string& text) {
+    INFO(text);
+    double value = 1;
+    REQUIRE(parseDouble(text, value));
+    CHECK(value == std::strtod(text.c_str(), nullptr));
+  };
+  for (int i = 0; i < 40000; ++i) {
+    std::string text = (random() % 2 ? "-" : "") + digits(random() % 12);
+    if (random() % 4) text += "." + digits(1 + random() % 20);
+    if (text.find_first_of("0123456789") == std::string::npos) continue;
+    if (random() % 2) text += "e" + std::to_string(static_cast<int>(random() % 60) - 30);
+    check(text);
+  }
+  // Halfway between two doubles, and next to it.
+  for (int i = 0; i < 4000; ++i) {
+    const std::uint64_t even = (std::uint64_t{1} << 53) + 2 * (random() % 1000000);
+    for (const std::uint64_t n : {2 * even + 1, 2 * even + 2, 2 * even + 3}) {
+      check(std::to_string(n) + "e" + std::to_string(random() % 4));
+      check(std::to_string(n) + ".0000" + digits(random() % 3));
+      check(std::to_string(n) + "e-" + std::to_string(random() % 23));
+    }
+  }
+}
+
+TEST_CASE("numbers end where their text does") {
+  const std::pair<std::string, std::size_t> cases[] = {
+      {"12abc", 2}, {"1.5e", 3},     {"1e+", 1},       {"1e5x", 3},     {"-.5.", 3},   {".e5", 0},
+      {"-", 0},     {"infinite", 3}, {"-INFINITY", 9}, {"nan(ind)", 8}, {"nan(-)", 3}, {"na", 0}};
+  for (const auto& [text, length] : cases) {
+    INFO(text);
+    double value = 0;
+    const char* const end = scanDouble(text.data(), text.data() + text.size(), value);
+    CHECK((end ? static_cast<std::size_t>(end - text.data()) : 0) == length);
+  }
+}
+
 TEST_CASE("numbers beyond the range of doubles are 0 or infinite, with their sign") {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::string zeros(400, '0');
@@ -150,5 +193,31 @@ TEST_CASE("only decimal numbers are numbers") {
   for (const char* word : {"+1", "1.", "1e0", "10E-1", "0001.0"}) {
     CHECK(parseDouble(word, value));
     CHECK(value == 1);
+  }
+}
+
+TEST_CASE("numbers in sentences are rounded as printf rounds them") {
+  CHECK(withDigits(0, 3) == "0");
+  CHECK(withDigits(-12.25, 6) == "-12.25");
+  CHECK(withDigits(0.99996, 3) == "1");
+  CHECK(withDigits(9996, 3) == "1e+04");
+  CHECK(withDigits(100, 3) == "100");
+  CHECK(withDigits(0.0001, 2) == "0.0001");
+  CHECK(withDigits(0.00001, 2) == "1e-05");
+  CHECK(withDigits(HUGE_VAL, 2) == "inf");
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> mantissa(-10, 10);
+  for (int i = 0; i < 20000; ++i) {
+    const int exponent = static_cast<int>(random() % 40) - 20, digits = 1 + i % 17;
+    const double value = mantissa(random) * std::pow(10.0, exponent);
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    INFO(text << " of " << textOf(value));
+    const std::string ours = withDigits(value, digits);
+    // The shortest text that reads back as the same value is rounded, not the value itself.
+    if (digits < 13)
+      CHECK(ours == text);
+    else
+      CHECK(std::abs(std::stod(ours) - value) <= std::abs(value) * std::pow(10.0, 1 - digits));
   }
 }
