@@ -1,6 +1,7 @@
 #include "seam/plates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "mesh/triangle_geometry.h"
@@ -44,7 +45,7 @@ class Regions {
     return n;
   }
 
-  /// All triangles around `first` that lie in its plane.
+  /// All triangles around `first` that lie in its plane, and the rest of their faces.
   void spread(SurfaceTriangle first) {
     const RegionId region(count_++);
     std::vector<SurfaceTriangle> open{first};
@@ -55,7 +56,9 @@ class Regions {
       for (const SurfaceCorner h : cornersOf(f)) {
         if (!mesh_.isOnSurface(h)) continue;
         const SurfaceTriangle next = triangleOf(mesh_.twin[h]);
-        if (ofTriangle_[next].exists() || dot(normal_[first], normal_[next]) < kFlat) continue;
+        const bool isOneFace = std::isinf(mesh_.cost[h]);
+        const bool isFlat = isOneFace || dot(normal_[first], normal_[next]) >= kFlat;
+        if (ofTriangle_[next].exists() || !isFlat) continue;
         ofTriangle_[next] = region;
         open.push_back(next);
       }

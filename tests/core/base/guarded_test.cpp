@@ -29,15 +29,19 @@ std::atomic<long> made{0}, living{0};
 }  // namespace
 
 // Every allocation of the test program goes through here.
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++made;
   if (left.load() >= 0 && left.fetch_sub(1) <= 0) {
     left = 0;
-    throw std::bad_alloc();
+    return nullptr;
   }
   void* const memory = std::malloc(std::max<std::size_t>(size, 1));
+  if (memory) ++living;
+  return memory;
+}
+void* operator new(std::size_t size) {
+  void* const memory = ::operator new(size, std::nothrow);
   if (!memory) throw std::bad_alloc();
-  ++living;
   return memory;
 }
 void operator delete(void* memory) noexcept {

@@ -66,6 +66,21 @@ TEST_CASE("what is curved or has few holes is no plate") {
   CHECK(borderEdges(bumpyGrid(8, 8, 0.1, 1)) == 0);
 }
 
+TEST_CASE("no border of a plate runs through a polygon") {
+  const unsigned n = 3, row = 2 * n + 2;
+  for (unsigned lifted = 0; lifted < row * row; ++lifted) {
+    PolygonMesh mesh = grille(n, 0.5);
+    mesh.positions[3 * lifted + 2] -= 0.7;
+    const Surface surface = buildSurface(mesh);
+    const auto& isDiagonal = surface.triangulation.isDiagonal;
+    const SeamMesh seamMesh = makeSeamMesh(mesh.positions, surface.table, surface.fans, isDiagonal);
+    const Seams borders = plateBorders(seamMesh);
+    std::size_t diagonals = 0;
+    for (const SurfaceCorner h : borders.ids()) diagonals += borders[h] && isDiagonal[h];
+    CHECK(diagonals == 0);
+  }
+}
+
 TEST_CASE("front and back of a grille are a chart each", "[unwrap]") {
   const unsigned n = 8;
   const Result<UnwrapResult> r = unwrap(grille(n, 0.5), {});
