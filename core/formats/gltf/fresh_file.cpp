@@ -92,7 +92,8 @@ void FreshFile::addMesh(const std::string& name, const std::array<double, 3>& tr
   Json mesh = named(name), node = named(name);
   mesh["primitives"] = Json::array();
   node["mesh"] = added(json_["meshes"], std::move(mesh));
-  if (translation != std::array<double, 3>()) node["translation"] = translation;
+  const std::array<double, 3> none{};
+  if (translation != none) node["translation"] = translation;
   json_["scenes"][0]["nodes"].push_back(added(json_["nodes"], std::move(node)));
 }
 
