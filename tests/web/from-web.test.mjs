@@ -206,6 +206,8 @@ test('a part of the page that cannot be loaded is named as such', async (t) => {
   });
   await page.goto(`${page.url()}?url=${encodeURIComponent(`${HOST}/ring.obj`)}`);
   await refused(page);
+  // What is said while the sample is opened is said again at the end.
+  await settled(page);
   assert.match(
     await textOf(page, '#alert'),
     /^A part of this page could not be loaded\. Check the/,
