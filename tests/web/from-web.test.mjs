@@ -57,7 +57,7 @@ test('a link opens its mesh after asking, and nothing is fetched before', async 
   });
   await follow(page, `${HOST}/a/ring.obj`);
   assert.match(await textOf(page, '.question'), /^Open ring\.obj from models\.example\?/);
-  assert.match(await textOf(page, '.question'), /and the files it names/);
+  assert.match(await textOf(page, '.question'), /and the files it refers to/);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Open');
   await settled(page);
   await page.keyboard.press('Escape');
