@@ -202,7 +202,8 @@ for (const [which, script] of [
 
 /**
  * Makes the next message stop the worker that `globalThis.dying` names, as running out of memory
- * would.
+ * would. The workshop is also sent what later parts need of the mesh before; it stops when it is to
+ * draw another one.
  */
 function prepareDying() {
   globalThis.Worker = class extends Worker {
@@ -211,7 +212,8 @@ function prepareDying() {
       this.is = options?.name ?? 'abflat';
     }
     postMessage(...message) {
-      if (globalThis.dying !== this.is) {
+      const isOther = this.is === 'workshop' && message[0].path?.[0] !== 'mesh';
+      if (globalThis.dying !== this.is || isOther) {
         super.postMessage(...message);
         return;
       }

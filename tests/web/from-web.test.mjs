@@ -57,7 +57,7 @@ test('a link opens its mesh after asking, and nothing is fetched before', async 
   });
   await follow(page, `${HOST}/a/ring.obj`);
   assert.match(await textOf(page, '.question'), /^Open ring\.obj from models\.example\?/);
-  assert.match(await textOf(page, '.question'), /and the files it names/);
+  assert.match(await textOf(page, '.question'), /and the files it refers to/);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Open');
   await settled(page);
   await page.keyboard.press('Escape');
@@ -206,6 +206,8 @@ test('a part of the page that cannot be loaded is named as such', async (t) => {
   });
   await page.goto(`${page.url()}?url=${encodeURIComponent(`${HOST}/ring.obj`)}`);
   await refused(page);
+  // What is said while the sample is opened is said again at the end.
+  await settled(page);
   assert.match(
     await textOf(page, '#alert'),
     /^A part of this page could not be loaded\. Check the/,

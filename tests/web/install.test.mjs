@@ -106,6 +106,9 @@ test('files that the system opens with the page are opened like any other', asyn
   assert.equal(await textOf(page, '#badge'), 'Valid');
   await launch({ 'lost.obj': null });
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
-  assert.match(await textOf(page, '#alert'), /^The file cannot be read: .*\. Open it again\./);
+  assert.match(
+    await textOf(page, '#alert'),
+    /^The file was moved or deleted, so it cannot be read\. Open it again\./,
+  );
   assert.equal(await textOf(page, '#source'), 'waves.obj');
 });

@@ -232,6 +232,6 @@ test('a picture that no browser can draw is refused with what to do', async () =
   assert.deepEqual(pictureSize({ resolution: 4096, tiles: 3 }), { width: 12288, height: 4096 });
   assert.throws(
     () => pictureSize({ resolution: 4096, tiles: 5 }),
-    /at most 16384 pixels along a side\. Lower the resolution, or save SVG/,
+    /at most 16384 pixels per side\. Lower the resolution, or save SVG/,
   );
 });

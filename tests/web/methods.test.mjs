@@ -96,7 +96,7 @@ test('methods are compared; a selected one is shown, marked, and not exported', 
   await page.locator('#method-note').waitFor();
   assert.match(await textOf(page, '#method-note-text'), /^Comparison, not exported: Tutte/);
   assert.match(await textOf(page, '#layout-info'), /^Tutte/);
-  assert.equal(await textOf(page, '#reason'), 'Figures of the previous layout');
+  assert.equal(await textOf(page, '#reason'), "Figures of abflat's layout");
   assert.notDeepEqual(await picture(page, '#layout-canvas'), layout);
   assert.notDeepEqual(await picture(page, '#mesh-canvas'), mesh);
   assert.equal(readFileSync((await exportMesh(page)).path, 'utf8'), exported);

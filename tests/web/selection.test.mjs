@@ -113,6 +113,28 @@ test('on the mesh clicks select with that tool alone, and Shift adds charts', as
   assert.notEqual(await textOf(page, '#selection-text'), before);
 });
 
+test('Escape goes from a tool back to Select, once it has nothing else to cancel', async (t) => {
+  const page = await opened(t);
+  const isPressed = async (tool) =>
+    (await page.getAttribute(`#seam-${tool}`, 'aria-pressed')) === 'true';
+  await page.mouse.click(...(await at(page, 'mesh', 0.25, 0.5)));
+  await page.focus('#mesh-canvas');
+  await page.keyboard.press('Escape');
+  assert.ok(await isPressed('cut'), 'the cut was cancelled');
+  await page.keyboard.press('Escape');
+  assert.ok((await isPressed('select')) && !(await isPressed('cut')));
+  await page.click('#seam-cut');
+  await page.click('#seam-cut');
+  assert.ok(await isPressed('cut'), 'an active tool stays active');
+  // In the layout the key has nothing to do with the tools of the mesh.
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('Escape');
+  assert.ok(await isPressed('cut'));
+  await page.focus('#seam-cut');
+  await page.keyboard.press('Escape');
+  assert.ok(await isPressed('select'));
+});
+
 test('a chart under the pointer stands out in the other view', async (t) => {
   const page = await opened(t);
   await page.mouse.move(0, 0);

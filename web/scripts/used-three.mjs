@@ -26,7 +26,10 @@ const USED = new Set([
   'tonemapping_pars_fragment',
 ]);
 
-/** No lights around, no headsets: what the renderer still asks of these classes. */
+/**
+ * No lights or shadows around, no materials but our own, no background, no headsets: what the renderer still asks of these
+ * classes and functions.
+ */
 const UNUSED = {
   PMREMGenerator: 'class PMREMGenerator {}',
   WebXRManager: `class WebXRManager extends EventDispatcher {
@@ -36,8 +39,68 @@ const UNUSED = {
   setAnimationLoop() {}
   dispose() {}
 }`,
+  WebGLOutput: 'class WebGLOutput {}',
+  WebGLShadowMap: `function WebGLShadowMap() {
+  return { enabled: false, type: PCFShadowMap, render() {} };
+}`,
+  WebGLMorphtargets: 'function WebGLMorphtargets() {}',
+  WebGLUniformsGroups: `function WebGLUniformsGroups() {
+  return { dispose() {} };
+}`,
+  WebGLEnvironments: `function WebGLEnvironments() {
+  return { get: () => null, dispose() {} };
+}`,
+  WebGLMaterials: `function WebGLMaterials() {
+  return { refreshMaterialUniforms: (_, material) => { material.uniformsNeedUpdate = false; } };
+}`,
+  WebGLLights: `function WebGLLights() {
+  const names = 'sun directional point spot spotLightMap rectArea hemi sunShadowMap directionalShadowMap pointShadowMap spotShadowMap';
+  const state = { version: 0, numSpotLightShadowsWithMaps: 0, numLightProbes: 0 };
+  for (const name of names.split(' ')) state[name] = [];
+  return { setup() {}, setupView() {}, state };
+}`,
+  WebGLBackground: `function WebGLBackground(renderer, environments, state, objects, alpha, premultipliedAlpha) {
+  const clearColor = new Color(0);
+  let clearAlpha = alpha ? 0 : 1;
+  const setClear = () => {
+    clearColor.getRGB(_rgb, getUnlitUniformColorSpace(renderer));
+    state.buffers.color.setClear(_rgb.r, _rgb.g, _rgb.b, clearAlpha, premultipliedAlpha);
+  };
+  return {
+    getClearColor: () => clearColor,
+    getClearAlpha: () => clearAlpha,
+    setClearColor(color, alpha = 1) {
+      clearColor.set(color);
+      clearAlpha = alpha;
+      setClear();
+    },
+    setClearAlpha(alpha) {
+      clearAlpha = alpha;
+      setClear();
+    },
+    render() {
+      setClear();
+      if (!renderer.autoClear) return;
+      state.buffers.depth.setTest(true);
+      state.buffers.depth.setMask(true);
+      state.buffers.color.setMask(true);
+      renderer.clear(renderer.autoClearColor, renderer.autoClearDepth, renderer.autoClearStencil);
+    },
+    addToRenderList() {},
+    dispose() {},
+  };
+}`,
+  getDFGLUT: 'function getDFGLUT() {}',
 };
 
+/** Nothing is stored as JSON, and what is under the pointer is found by the page itself. */
+const UNUSED_METHODS = /^\t(?:static )?(?:toJSON|fromJSON|raycast)\(.*\) \{$[\s\S]*?^\t\}$/gm;
+
+/** The colours of the page are numbers. */
+const COLOR_NAMES = /^(const _colorKeywords = )\{[\s\S]*?\};$/m;
+
+const THREE = /\/three\/(build|examples)\/.*\.js$/;
+const CORE = /\/three\/build\/three\.core\.js$/;
 const RENDERER = /\/three\/build\/three\.module\.js$/;
 const CHUNKS = /^const ShaderChunk = \{$(.*?)^\};$/ms;
 const ENTRY = /^\t(\w+): ([\w$]+),?$/gm;
@@ -58,17 +121,28 @@ function withoutShaders(source) {
 function withoutClasses(source) {
   let text = source;
   for (const [name, rest] of Object.entries(UNUSED)) {
-    const [found] = new RegExp(`^class ${name} [^]*?^}$`, 'm').exec(text) ?? [];
+    const [found] = new RegExp(`^(class|function) ${name}\\b[^]*?^}$`, 'm').exec(text) ?? [];
     if (!found) throw changed();
     text = text.replace(found, () => rest);
   }
   return text;
 }
 
+function withoutMethods(source, id) {
+  const text = source.replace(UNUSED_METHODS, '');
+  if (!CORE.test(id)) return text;
+  const named = text.replace(COLOR_NAMES, '$1{};');
+  if (text === source || named === text) throw changed();
+  return named;
+}
+
 /** @returns {import('vite').Plugin} */
 export const usedThree = () => ({
   name: 'abflat-used-three',
   apply: 'build',
-  transform: (source, id) =>
-    RENDERER.test(id) ? { code: withoutClasses(withoutShaders(source)), map: null } : undefined,
+  transform: (source, id) => {
+    if (!THREE.test(id)) return undefined;
+    const code = RENDERER.test(id) ? withoutClasses(withoutShaders(source)) : source;
+    return { code: withoutMethods(code, id), map: null };
+  },
 });

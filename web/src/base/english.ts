@@ -1024,7 +1024,7 @@ export const HELP = {
     otherTool: 'Join instead of Cut, Cut instead of Join',
     paint: 'Paint a seam; with Join, erase seams',
     togglePaint: 'Turn painting by drag on or off',
-    cancel: 'Cancel the cut or the stroke',
+    cancel: 'Cancel the cut or the stroke; again: Select',
   },
   bounds: {
     title: 'Bounds',

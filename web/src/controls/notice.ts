@@ -8,14 +8,33 @@ export interface TogetherEvents {
   oneAtlas(sources: FileSource[]): void;
 }
 
+/** In milliseconds: how long a notice stays, and what each letter of it adds. */
+const STAYS = { least: 12_000, perLetter: 80 };
+
 /**
- * What the user should know about the opened file. If several meshes were chosen at once, there are
- * buttons for all of them.
+ * What the user should know about the opened file. It goes away once there was time to read it; not
+ * while the pointer or the focus is on it, or the page is out of sight. If several meshes were
+ * chosen at once, there are buttons for all of them, which wait for an answer.
  */
 export class Notice {
   private readonly box = element('notice', HTMLElement);
 
-  constructor(private readonly events: TogetherEvents) {}
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly events: TogetherEvents) {
+    for (const type of ['pointerenter', 'pointerleave', 'focusin', 'focusout'])
+      this.box.addEventListener(type, () => this.wait());
+    document.addEventListener('visibilitychange', () => this.wait());
+  }
+
+  /** Stays for a while from now on. */
+  private wait(): void {
+    clearTimeout(this.timer);
+    const isRead = this.box.matches(':hover, :focus-within') || document.hidden;
+    if (isRead || this.box.querySelector('.notice-choices')) return;
+    const letters = this.box.textContent?.length ?? 0;
+    this.timer = setTimeout(() => this.hide(), STAYS.least + letters * STAYS.perLetter);
+  }
 
   /** `compressions`: how the file's triangles were compressed. `isTab`: those that were chosen with it are open, too. */
   show(opened: FileSource, compressions: string[], isTab: boolean): void {
@@ -25,6 +44,7 @@ export class Notice {
     if (sentences.length === 0) return;
     const text = create('p', '', sentences.join(' '));
     this.box.replaceChildren(text, ...this.choices(together), this.closing());
+    this.wait();
   }
 
   /** Adds what was found out later. */
@@ -32,6 +52,7 @@ export class Notice {
     const text = this.box.querySelector('p');
     if (text) text.textContent += ` ${sentence}`;
     else this.box.replaceChildren(create('p', '', sentence), this.closing());
+    this.wait();
   }
 
   private closing(): HTMLElement {
@@ -43,6 +64,7 @@ export class Notice {
   }
 
   hide(): void {
+    clearTimeout(this.timer);
     this.box.replaceChildren();
   }
 

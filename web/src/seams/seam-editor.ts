@@ -348,8 +348,16 @@ export class SeamEditor {
     if (event.key !== 'Escape' || closesSomething(event)) return;
     if (this.painter?.cancel()) this.events.say(SEAMS.strokeCancelled);
     else if (this.paths) this.cancel();
-    else return;
+    else if (!this.leavesTool(event)) return;
     event.stopPropagation();
+  }
+
+  /** Where the tool is used. A run in flight is cancelled first. */
+  private leavesTool({ target }: KeyboardEvent): boolean {
+    const isHere = target === this.view.canvas || this.tools.has(target);
+    if (!isHere || document.body.ariaBusy || !this.tools.leave()) return false;
+    this.events.say(SEAMS.toSelect);
+    return true;
   }
 
   private cancel(): void {

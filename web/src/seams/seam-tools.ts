@@ -42,6 +42,18 @@ export class SeamTools {
     this.choose(this.chosen === 'select' ? 'cut' : this.chosen, !this.paints);
   }
 
+  /** Goes back to selecting; returns whether there was another tool. */
+  leave(): boolean {
+    if (this.tool === null) return false;
+    this.choose('select', false);
+    return true;
+  }
+
+  /** Whether the focus is on a button. */
+  has(target: EventTarget | null): boolean {
+    return target instanceof Node && this.bar.contains(target);
+  }
+
   setVisible(isVisible: boolean): void {
     this.bar.hidden = !isVisible;
   }
