@@ -133,15 +133,21 @@ void addFace(InputFace f, const std::vector<std::uint32_t>& places, const Polygo
 
 /// Adds a face that visits places more than once.
 void addWalk(InputFace f, const std::vector<std::uint32_t>& places, const PolygonMesh& mesh,
-             std::vector<PolygonCorner>& opened, WeldedMesh& out) {
+             OpenedCorners& opened, WeldedMesh& out) {
   const std::uint32_t begin = mesh.faceOffsets[f];
   const FaceWalk walk = walkAround(mesh.positions, places);
   if (walk.corners.size() < 3) {
     out.collapsedFaces.push_back(f);
     return;
   }
-  if (!walk.opened.empty() || walk.corners.size() < places.size()) out.splitFaces.push_back(f);
-  for (const std::uint32_t i : walk.opened) opened.emplace_back(out.inputCorner.size() + i);
+  const Opening& opening = walk.opening;
+  if (!opening.points.empty() || walk.corners.size() < places.size()) out.splitFaces.push_back(f);
+  const auto first = static_cast<std::uint32_t>(opened.positions.size() / 3);
+  for (const auto& [corner, point] : opening.corners)
+    opened.corners.push_back(
+        {PolygonCorner(out.inputCorner.size() + corner), point == kNone ? kNone : first + point});
+  for (const Vec3& p : opening.points)
+    opened.positions.insert(opened.positions.end(), p.begin(), p.end());
   for (const std::uint32_t k : walk.corners) addCorner(InputCorner(begin + k), places[k], out);
   findCornersFor(walk, begin, out);
   endFace(f, out);
@@ -219,7 +225,7 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
   out.mesh.faceVertices.reserve(mesh.faceVertices.size());
   out.inputCorner.reserve(mesh.faceVertices.size());
   out.cornerFor.assign(mesh.faceVertices.size(), {});
-  std::vector<PolygonCorner> opened;
+  OpenedCorners opened;
   std::vector<std::uint32_t> places;
   std::vector<std::uint32_t> lastFace(mesh.vertexCount(), kNone);
   for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
