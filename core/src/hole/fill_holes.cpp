@@ -185,6 +185,27 @@ void fillHoles(FillHoles mode, const IdVector<SurfaceTriangle, std::uint8_t>& is
   if (filled == 0) mesh.hole.clear();
 }
 
+namespace {
+
+/// Holes whose fillings alone join parts of the surface.
+void markJoining(const SeamMesh& mesh, Seams seams, IdVector<HoleId, std::uint8_t>& isMarked) {
+  const IdRange<SurfaceCorner> filling = mesh.fillingCorners();
+  const auto isRim = [&](SurfaceCorner h) { return !mesh.isFilling(triangleOf(mesh.twin[h])); };
+  for (const SurfaceCorner h : filling)
+    if (isRim(h)) seams[h] = seams[mesh.twin[h]] = 1;
+  const CutSurface parts = cutAlong(mesh, seams);
+  IdVector<HoleId, CutChartId> part(isMarked.size());
+  for (const SurfaceCorner h : filling) {
+    if (!isRim(h)) continue;
+    const HoleId hole = mesh.hole[triangleOf(h)];
+    const CutChartId beside = parts.chartOf(mesh.twin[h]);
+    if (!part[hole].exists()) part[hole] = beside;
+    if (part[hole] != beside) isMarked[hole] = 1;
+  }
+}
+
+}  // namespace
+
 bool openTouchedHoles(const SeamMesh& mesh, const CutSurface& s, FillHoles mode, Seams& seams) {
   if (mesh.hole.empty()) return false;
   const IdRange<SurfaceCorner> filling = mesh.fillingCorners();
@@ -195,6 +216,7 @@ bool openTouchedHoles(const SeamMesh& mesh, const CutSurface& s, FillHoles mode,
     if (seams[h] || (mode != FillHoles::Always && s.isBoundary[s.vertexOfCorner[h]]))
       isTouched[hole] = 1;
   }
+  if (mode == FillHoles::Always) markJoining(mesh, seams, isTouched);
   bool isAny = false;
   for (const SurfaceCorner h : filling) {
     const SurfaceCorner o = mesh.twin[h];

@@ -13,9 +13,10 @@ void fillHoles(FillHoles mode, const IdVector<SurfaceTriangle, std::uint8_t>& is
                SeamMesh& mesh, const Pulse& pulse = {});
 
 /// Opens the holes that seams have reached: their rims become seams, which separates their
-/// fillings. With FillHoles::Always, only those that seams pass through. Returns whether there were
-/// any. A filling removed from a disk touches the disk's boundary in one place, so what remains is
-/// one disk or several.
+/// fillings. With FillHoles::Always, only those that seams pass through, and those whose fillings
+/// alone join parts of the surface: these would be islands without a common scale. Returns whether
+/// there were any. A filling removed from a disk touches the disk's boundary in one place, so what
+/// remains is one disk or several.
 bool openTouchedHoles(const SeamMesh& mesh, const CutSurface& surface, FillHoles mode,
                       Seams& seams);
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
+
+#include "mesh/uncross.h"
 
 namespace abflat {
 namespace {
@@ -82,6 +85,32 @@ std::vector<std::uint8_t> boundsSomething(const Inside& inside, std::size_t corn
   return out;
 }
 
+/// Makes the polygon simple, and sorts its corners where it crosses itself at places.
+Opening openingOf(const std::vector<double>& positions, const std::vector<std::uint32_t>& places,
+                  const Inside& inside, const std::vector<std::uint8_t>& bounds,
+                  CornerLoop& corners) {
+  const std::vector<std::uint32_t> at = placesOf(corners, places);
+  if (!inside.loops.empty()) {
+    const CornerLoop order = uncross(positions, at, bounds);
+    CornerLoop sorted;
+    std::vector<std::uint8_t> sortedBounds;
+    for (const std::uint32_t i : order) {
+      sorted.push_back(corners[i]);
+      sortedBounds.push_back(bounds[i]);
+    }
+    if (!order.empty())
+      if (auto opening = openNecks(positions, placesOf(sorted, places), sortedBounds)) {
+        corners = std::move(sorted);
+        return std::move(*opening);
+      }
+  }
+  CornerLoop again;
+  const std::vector<std::uint8_t> isAgain = revisits(at);
+  for (std::uint32_t i = 0; i < isAgain.size(); ++i)
+    if (isAgain[i]) again.push_back(i);
+  return openEach(positions, at, again);
+}
+
 }  // namespace
 
 FaceWalk walkAround(const std::vector<double>& positions,
@@ -103,10 +132,7 @@ FaceWalk walkAround(const std::vector<double>& positions,
     if (!inside.loops.empty()) inside = insideLoops(positions, placesOf(out.corners, places));
     bounds = boundsSomething(inside, out.corners.size());
   }
-  const std::vector<std::uint8_t> again = revisits(placesOf(out.corners, places));
-  for (std::uint32_t i = 0; i < out.corners.size(); ++i)
-    if (inside.loops.empty() ? again[i] : !bounds[i] || inside.leaving[i] != i)
-      out.opened.push_back(i);
+  out.opening = openingOf(positions, places, inside, bounds, out.corners);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesh/inside_loops.h"
+#include "mesh/necks.h"
 
 namespace abflat {
 
@@ -15,9 +16,8 @@ struct FaceWalk {
   /// Per corner of the face: itself, or the one at the same place that stands for it if it is left
   /// out. That one may be left out as well.
   CornerLoop same;
-  /// Indices into `corners` where the inside on the left is more than one piece, or a bridge
-  /// through the outside. The walk is a simple polygon only if these move to the right.
-  CornerLoop opened;
+  /// Of `corners`, those that move to make the polygon simple.
+  Opening opening;
 };
 
 /// `places`: vertex per corner of the face.

@@ -8,38 +8,13 @@
 #include "base/stable_order.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
+#include "mesh/arms.h"
 #include "mesh/clip_ears.h"
 #include "mesh/corner_table.h"
 #include "mesh/project_polygon.h"
 
 namespace abflat {
 namespace {
-
-/// An edge at a corner, from the previous corner or to the next one, as seen from the corner's
-/// place.
-struct Arm {
-  std::uint32_t corner;
-  bool isOut;
-  Point2 end;
-  std::uint32_t turn = 0;  ///< number of arms of its kind before it in the same direction
-};
-
-/// Sorts clockwise, starting from straight left.
-struct Clockwise {
-  Point2 at;
-
-  bool isUpper(const Point2& p) const { return p[1] != at[1] ? p[1] > at[1] : p[0] < at[0]; }
-  int compare(const Point2& p, const Point2& q) const {
-    if (isUpper(p) != isUpper(q)) return isUpper(p) ? -1 : 1;
-    return orientation(at.data(), p.data(), q.data());
-  }
-  bool operator()(const Arm& a, const Arm& b) const {
-    const int side = compare(a.end, b.end);
-    if (side != 0) return side < 0;
-    if (a.turn != b.turn) return a.turn < b.turn;
-    return a.isOut != b.isOut ? a.isOut : a.corner < b.corner;
-  }
-};
 
 class Tracer {
  public:
@@ -56,8 +31,6 @@ class Tracer {
       if (end - i > 1) joinAt(&order[i], &order[i] + (end - i));
     }
   }
-
-  const std::vector<std::uint32_t>& leaving() const { return leaving_; }
 
   std::vector<CornerLoop> loops() const {
     std::vector<CornerLoop> out;
@@ -104,27 +77,12 @@ class Tracer {
 
  private:
   std::uint32_t after(std::uint32_t k) const { return k + 1 == count_ ? 0 : k + 1; }
-  std::uint32_t before(std::uint32_t k) const { return k == 0 ? count_ - 1 : k - 1; }
 
   /// Whoever arrives at the place leaves along the first clockwise edge such that the inside lies
   /// in between, matched like brackets.
   void joinAt(const std::uint32_t* begin, const std::uint32_t* end) {
-    const Clockwise clockwise{points_[*begin]};
-    std::vector<Arm> arms;
-    for (const std::uint32_t* k = begin; k != end; ++k) {
-      arms.push_back({*k, false, points_[before(*k)]});
-      arms.push_back({*k, true, points_[after(*k)]});
-    }
-    for (const Arm& arm : arms) isClear_ = isClear_ && arm.end != clockwise.at;
-    if (!isClear_) return;
-    std::sort(arms.begin(), arms.end(), clockwise);
-    // The two sides of a bridge: it leaves before it comes back, and so do all bridges along it.
-    for (std::size_t i = 0, last = 0; i < arms.size(); i = last) {
-      std::array<std::uint32_t, 2> turns{0, 0};
-      for (; last < arms.size() && clockwise.compare(arms[i].end, arms[last].end) == 0; ++last)
-        arms[last].turn = turns[arms[last].isOut]++;
-    }
-    std::sort(arms.begin(), arms.end(), clockwise);
+    std::vector<Arm> arms = armsAround(points_, begin, end);
+    isClear_ = isClear_ && !arms.empty();
     std::vector<std::uint32_t> open;
     for (std::size_t i = 0; i < 2 * arms.size(); ++i) {
       const Arm& arm = arms[i % arms.size()];
@@ -164,7 +122,6 @@ Inside insideLoops(const std::vector<double>& positions, const std::vector<std::
   Inside out;
   out.loops = tracer.loops();
   if (!tracer.settle(out.loops)) return {};
-  out.leaving = tracer.leaving();
   return out;
 }
 

@@ -14,9 +14,6 @@ struct Inside {
   /// the bridges between them in one loop. Corners that bound nothing are in no loop. Empty if the
   /// polygon, seen in its own plane, crosses itself, winds around a place twice or has no area.
   std::vector<CornerLoop> loops;
-  /// Per corner at which the polygon arrives at a place: the one from which its piece leaves that
-  /// place. Another one only where pieces meet or a bridge leads through the outside.
-  std::vector<std::uint32_t> leaving;
 };
 
 /// `places`: vertex per corner, never the same one twice in a row.

@@ -7,12 +7,18 @@
 
 namespace abflat {
 
-/// How far an opened corner moves, relative to the shorter of its edges: far enough for what it
-/// opens to survive the precision of files, near enough not to be seen.
-constexpr double kOpening = 0x1p-10;
+/// Corners that get vertices of their own, and the places of these.
+struct OpenedCorners {
+  struct Corner {
+    PolygonCorner corner;
+    std::uint32_t point;  ///< index into `positions`, or kNone if it stays where it is
+  };
+  std::vector<Corner> corners;    ///< in order
+  std::vector<double> positions;  ///< x, y, z
+};
 
-/// Gives corners at which a face touches itself a vertex of their own, a little to the right of the
-/// way around the face, where it has no area. Faces that lie there share the new vertex.
-void openCorners(const std::vector<PolygonCorner>& corners, PolygonMesh& mesh);
+/// Gives corners at which a face touches itself their new vertices. Faces beside them that fill the
+/// same angle share those.
+void openCorners(const OpenedCorners& opened, PolygonMesh& mesh);
 
 }  // namespace abflat

@@ -1,7 +1,6 @@
 #include "mesh/welded_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "mesh/open_corners.h"
 #include "mesh/triangle_geometry.h"
 #include "mesh/weld.h"
+#include "mesh/weld_edges.h"
 
 namespace abflat {
 namespace {
@@ -133,69 +133,24 @@ void addFace(InputFace f, const std::vector<std::uint32_t>& places, const Polygo
 
 /// Adds a face that visits places more than once.
 void addWalk(InputFace f, const std::vector<std::uint32_t>& places, const PolygonMesh& mesh,
-             std::vector<PolygonCorner>& opened, WeldedMesh& out) {
+             OpenedCorners& opened, WeldedMesh& out) {
   const std::uint32_t begin = mesh.faceOffsets[f];
   const FaceWalk walk = walkAround(mesh.positions, places);
   if (walk.corners.size() < 3) {
     out.collapsedFaces.push_back(f);
     return;
   }
-  if (!walk.opened.empty() || walk.corners.size() < places.size()) out.splitFaces.push_back(f);
-  for (const std::uint32_t i : walk.opened) opened.emplace_back(out.inputCorner.size() + i);
+  const Opening& opening = walk.opening;
+  if (!opening.points.empty() || walk.corners.size() < places.size()) out.splitFaces.push_back(f);
+  const auto first = static_cast<std::uint32_t>(opened.positions.size() / 3);
+  for (const auto& [corner, point] : opening.corners)
+    opened.corners.push_back(
+        {PolygonCorner(out.inputCorner.size() + corner), point == kNone ? kNone : first + point});
+  for (const Vec3& p : opening.points)
+    opened.positions.insert(opened.positions.end(), p.begin(), p.end());
   for (const std::uint32_t k : walk.corners) addCorner(InputCorner(begin + k), places[k], out);
   findCornersFor(walk, begin, out);
   endFace(f, out);
-}
-
-std::uint32_t firstOf(std::vector<std::uint32_t>& of, std::uint32_t v) {
-  while (of[v] != v) v = of[v] = of[of[v]];
-  return v;
-}
-
-void join(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& of) {
-  const auto [first, second] = std::minmax({firstOf(of, a), firstOf(of, b)});
-  of[second] = first;
-}
-
-/// Merges the ends of edges whose length is negligible compared with the faces there, such as the
-/// many at poles of spheres and capsules. Angles computed from them would be noise.
-void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& out) {
-  constexpr double kNothing = 0x1p-40;  // relative to the longest side; a sine of pi is less
-  std::vector<double> sides;
-  const auto measure = [&](std::uint32_t begin, std::uint32_t end) {
-    sides.clear();
-    for (std::uint32_t c = begin; c < end; ++c)
-      sides.push_back(norm(edgeVector(mesh.positions, mesh.faceVertices[c],
-                                      mesh.faceVertices[c + 1 < end ? c + 1 : begin])));
-    return *std::max_element(sides.begin(), sides.end());
-  };
-  // For each vertex, the longest side of the smallest face around it.
-  std::vector<double> size(mesh.vertexCount(), HUGE_VAL);
-  std::vector<std::uint32_t> faces;
-  for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
-    const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
-    const double longest = measure(begin, end);
-    for (std::uint32_t c = begin; c < end; ++c)
-      size[mesh.faceVertices[c]] = std::min(size[mesh.faceVertices[c]], longest);
-    if (*std::min_element(sides.begin(), sides.end()) <= kNothing * longest) faces.push_back(f);
-  }
-  for (const std::uint32_t f : faces) {
-    const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
-    measure(begin, end);
-    for (std::uint32_t c = begin; c < end; ++c) {
-      const std::uint32_t a = mesh.faceVertices[c];
-      const std::uint32_t b = mesh.faceVertices[c + 1 < end ? c + 1 : begin];
-      if (sides[c - begin] > kNothing * std::min(size[a], size[b])) continue;
-      join(a, b, out.ofVertex);
-    }
-  }
-}
-
-/// Points every vertex to the first one that it is joined with.
-void settle(Welding& welding) {
-  std::vector<std::uint32_t>& of = welding.ofVertex;
-  welding.merged = 0;
-  for (std::uint32_t v = 0; v < of.size(); ++v) welding.merged += (of[v] = firstOf(of, v)) != v;
 }
 
 }  // namespace
@@ -209,9 +164,8 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
     welding.ofVertex.resize(mesh.vertexCount());
     std::iota(welding.ofVertex.begin(), welding.ofVertex.end(), 0u);
   }
-  for (const auto& [a, b] : joined) join(a, b, welding.ofVertex);
+  joinVertices(joined, welding);
   weldEdges(mesh, pulse, welding);
-  settle(welding);
   WeldedMesh out;
   out.mergedVertices = welding.merged;
   out.mesh.positions = mesh.positions;
@@ -219,7 +173,7 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
   out.mesh.faceVertices.reserve(mesh.faceVertices.size());
   out.inputCorner.reserve(mesh.faceVertices.size());
   out.cornerFor.assign(mesh.faceVertices.size(), {});
-  std::vector<PolygonCorner> opened;
+  OpenedCorners opened;
   std::vector<std::uint32_t> places;
   std::vector<std::uint32_t> lastFace(mesh.vertexCount(), kNone);
   for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {

@@ -7,10 +7,9 @@
 #include "abflat/mesh.h"
 #include "base/pulse.h"
 #include "mesh/ids.h"
+#include "mesh/weld_edges.h"
 
 namespace abflat {
-
-using VertexPairs = std::vector<std::array<std::uint32_t, 2>>;
 
 /// A mesh as the surface that it shows. Vertices at one place are merged, and parts without area
 /// are dropped. A face stays one polygon, however often it touches itself: where pieces of its
@@ -33,8 +32,8 @@ struct WeldedMesh {
 };
 
 /// `mesh` must have passed validateArrays. Without `byPosition`, vertices are merged only if the
-/// mesh says so, if an edge between them has no length, or if they are `joined`. The result is
-/// unusable if the pulse has stopped.
+/// mesh says so, if the edge between them is too short to be seen, or if they are `joined`. The
+/// result is unusable if the pulse has stopped.
 WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true, const Pulse& pulse = {},
                 const VertexPairs& joined = {});
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "mesh/triangle_geometry.h"
-#include "seam/seam_tips.h"
+#include "seam/stars.h"
 
 namespace abflat {
 namespace {
@@ -46,7 +46,7 @@ class Fairer {
         farthest_(kFarthest * std::sqrt(mesh.totalArea())),
         seams_(seams),
         pulse_(pulse),
-        outgoing_(outgoingHalfEdges(mesh)),
+        stars_(mesh),
         isFixed_(mesh.twin.size(), 0),
         isGoal_(mesh.twin.size(), 0),
         isOpen_(mesh.vertexCount(), 0),
@@ -92,11 +92,7 @@ class Fairer {
 
   template <typename Visit>
   void forEachOutgoing(SurfaceVertex v, Visit visit) const {
-    SurfaceCorner h = outgoing_[v];
-    do {
-      visit(h);
-      h = rotateCounterClockwise(mesh_.twin, h);
-    } while (h.exists() && h != outgoing_[v]);
+    stars_.forEach(v, visit);
   }
 
   Path reversed(const Path& path) const {
@@ -206,11 +202,18 @@ class Fairer {
     };
     for (const SurfaceCorner h : path) add(tail(h), tail(h));
     add(head(path.back()), head(path.back()));
-    for (std::size_t i = 0; i < out.size(); ++i)
-      forEachOutgoing(out[i], [&](SurfaceCorner h) {
+    const auto distance = [&](SurfaceVertex a, SurfaceVertex b) {
+      return norm(edgeVector(mesh_.positions, a, b));
+    };
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const SurfaceVertex start = from[i];
+      constexpr double kRounding = 1 + 1e-9;
+      const double longest = kRounding * (most + distance(start, out[i]));
+      stars_.forEachNear(out[i], longest, [&](SurfaceCorner h) {
         const SurfaceVertex v = head(h);
-        if (!isNear_[v] && norm(edgeVector(mesh_.positions, from[i], v)) <= most) add(v, from[i]);
+        if (!isNear_[v] && distance(start, v) <= most) add(v, start);
       });
+    }
     return out;
   }
 
@@ -327,7 +330,7 @@ class Fairer {
   const double farthest_;
   Seams& seams_;
   const Pulse& pulse_;
-  const IdVector<SurfaceVertex, SurfaceCorner> outgoing_;
+  const Stars stars_;
   IdVector<SurfaceCorner, std::uint8_t> isFixed_;
   IdVector<SurfaceCorner, std::uint8_t> isGoal_;  ///< leaves where the open path may end
   /// On the mesh's boundary, on a filled hole, on a seam that stays, near the path.

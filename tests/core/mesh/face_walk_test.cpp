@@ -17,7 +17,7 @@ FaceWalk walk(const std::vector<std::uint32_t>& places) { return walkAround(kPla
 TEST_CASE("a walk keeps a spike within the face, and leaves out one outside", "[polygons]") {
   const FaceWalk within = walk({0, 1, 2, 7, 2, 3});
   CHECK(within.corners == CornerLoop{0, 1, 2, 3, 4, 5});
-  CHECK(within.opened.empty());
+  CHECK(within.opening.corners.empty());
   CHECK(walk({0, 1, 2, 9, 2, 3}).corners == CornerLoop{0, 1, 2, 5});
   CHECK(walk({2, 3, 0, 1, 2, 9}).corners.size() == 4);
   CHECK(walk({9, 2, 3, 0, 1, 2}).corners.size() == 4);
@@ -29,12 +29,13 @@ TEST_CASE("a walk keeps a spike within the face, and leaves out one outside", "[
 TEST_CASE("a walk opens where pieces meet", "[polygons]") {
   const FaceWalk eight = walk({0, 1, 2, 3, 0, 4, 5, 6});
   CHECK(eight.corners.size() == 8);
-  CHECK(eight.opened == CornerLoop{0, 4});
+  CHECK(eight.opening.corners.size() == 2);
+  CHECK(eight.opening.points.size() == 2);
   // A bridge from piece to piece.
   const FaceWalk bridged = walk({0, 1, 2, 3, 0, 5, 6, 4, 5});
   CHECK(bridged.corners.size() == 9);
   // Those of a hole that touches the outline stay: there is one piece.
-  CHECK(walk({0, 1, 2, 3, 0, 8, 7}).opened.empty());
+  CHECK(walk({0, 1, 2, 3, 0, 8, 7}).opening.corners.empty());
 }
 
 TEST_CASE("a walk without area has no polygon left", "[polygons]") {

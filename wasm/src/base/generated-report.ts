@@ -251,7 +251,7 @@ export interface Report {
 export interface RepairReport {
   /** Duplicate vertices, treated as one vertex of the surface. */
   mergedVertices: number;
-  /** Faces without area, such as those with fewer than three distinct corners; they get the uv of a face beside them. */
+  /** Faces without area, such as those with fewer than three distinct corners, and slivers whose short edge is too short to be seen; they get the uv of a face beside them. */
   collapsedFaces: number[];
   /** Faces that touch themselves or list a corner twice. */
   splitFaces: number[];

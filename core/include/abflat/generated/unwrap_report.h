@@ -22,8 +22,8 @@ namespace abflat {
 struct RepairReport {
   /// Duplicate vertices, treated as one vertex of the surface.
   std::size_t mergedVertices = 0;
-  /// Faces without area, such as those with fewer than three distinct corners; they get the uv of a
-  /// face beside them.
+  /// Faces without area, such as those with fewer than three distinct corners, and slivers whose
+  /// short edge is too short to be seen; they get the uv of a face beside them.
   std::vector<std::uint32_t> collapsedFaces;
   /// Faces that touch themselves or list a corner twice.
   std::vector<std::uint32_t> splitFaces;
