@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "base/number_text.h"
 
@@ -46,19 +45,21 @@ Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOpti
   if (options.adjacent) common = std::min(common, kAdjacentBound);
   BoundaryBounds t(chart.boundary.size(), common);
   if (!options.bounds.empty()) {
-    std::unordered_map<std::uint32_t, std::vector<BoundaryIndex>>
-        placesOf;  // a vertex that the boundary touches twice has two places
+    // A vertex that the boundary touches twice has two places.
+    std::vector<std::pair<std::uint32_t, BoundaryIndex>> places;
     for (const BoundaryIndex i : t.ids())
-      placesOf[chart.inputVertex[chart.boundaryVertex(i)]].push_back(i);
+      places.emplace_back(chart.inputVertex[chart.boundaryVertex(i)], i);
+    std::sort(places.begin(), places.end());
     for (const VertexBound& b : options.bounds) {
-      const auto found = placesOf.find(b.vertex);
-      if (found == placesOf.end())
+      auto place =
+          std::lower_bound(places.begin(), places.end(), std::pair(b.vertex, BoundaryIndex(0)));
+      if (place == places.end() || place->first != b.vertex)
         return Status{StatusCode::InvalidOption, "vertex " + std::to_string(b.vertex) +
                                                      " has a bound but is not on the boundary"};
       if (!isBound(b.t))
         return Status{StatusCode::InvalidOption, "the bound of vertex " + std::to_string(b.vertex) +
                                                      " must be a number above 0"};
-      for (const BoundaryIndex i : found->second) t[i] = b.t;
+      for (; place != places.end() && place->first == b.vertex; ++place) t[place->second] = b.t;
     }
   }
   BoundaryBounds met = t;
