@@ -70,7 +70,7 @@ StageSteps countSteps(const PolygonMesh& mesh) {
     UnwrapOptions options;
     options.threads = 1;
     options.progress = [&](const Progress& p) {
-      counter.enter(p.stage);
+      counter.enter(nameOf(p.stage));
       return true;
     };
     atlas = unwrap(mesh, options);
@@ -84,7 +84,7 @@ StageSteps countSteps(const PolygonMesh& mesh) {
   FlattenOptions options;
   options.threads = 1;
   options.progress = [&](const Progress& p) {
-    counter.enter(p.stage);
+    counter.enter(nameOf(p.stage));
     return true;
   };
   flatten(mesh, options);  // most families are refused, at some cost

@@ -4,19 +4,22 @@ import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { test } from 'node:test';
 import { objText, torus } from '../support/surfaces.mjs';
-import { dropAndWait, openPage, settled, textOf } from './page.mjs';
+import { drawn, dropAndWait, openPage, settled, textOf } from './page.mjs';
 
 const TORUS = objText(torus(24, 12));
 const VIEWS = ['#mesh-canvas', '#layout-canvas'];
 
-const pictures = (page) =>
-  Promise.all(
+/** As they are in the end: what lies on them may still be fading. */
+async function pictures(page) {
+  await drawn(page);
+  return Promise.all(
     VIEWS.map(async (id) =>
       createHash('md5')
-        .update(await page.locator(id).screenshot())
+        .update(await page.locator(id).screenshot({ animations: 'disabled' }))
         .digest('hex'),
     ),
   );
+}
 
 /** Both views have changed. */
 function assertOther(now, before) {

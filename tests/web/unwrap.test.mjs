@@ -50,6 +50,17 @@ async function hues(page, id) {
   }, bytes);
 }
 
+test('sharp edges stay chosen for the next mesh, and so does their angle', async (t) => {
+  const page = await openPage(t, { mode: 'unwrap', open: ['one.obj', grid(3)] });
+  await page.click('#seams-sharp');
+  await page.fill('#sharp-degrees', '40');
+  await page.press('#sharp-degrees', 'Enter');
+  await settled(page);
+  await dropAndWait(page, 'two.obj', grid(4));
+  assert.equal(await page.getAttribute('#seams-sharp', 'aria-pressed'), 'true');
+  assert.equal(await page.inputValue('#sharp-degrees'), '40');
+});
+
 test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', async (t) => {
   const page = await openPage(t, { mode: 'flatten', open: ['torus.obj', TORUS] });
   assert.equal(await textOf(page, '#alert'), '');

@@ -148,3 +148,25 @@ TEST_CASE("edges that are short beside one of their faces only stay") {
   CHECK(welded.mergedVertices == 0);
   CHECK(welded.mesh.faceCount() == 4);
 }
+
+TEST_CASE("many edges too short to be seen stay a curve") {
+  // A square with a corner that is cut off, in steps of a ten-millionth.
+  constexpr unsigned kSteps = 200;
+  constexpr double kStep = 1e-7;
+  PolygonMesh mesh;
+  mesh.positions = {1, 0, 0, 1, 1, 0, 0, 1, 0};
+  for (unsigned i = 0; i <= kSteps; ++i)
+    mesh.positions.insert(mesh.positions.end(), {i * kStep, (kSteps - i) * kStep, 0});
+  mesh.faceVertices = {0, 1, 2};
+  for (unsigned i = 0; i <= kSteps; ++i) mesh.faceVertices.push_back(3 + i);
+  mesh.faceOffsets = {0, static_cast<std::uint32_t>(mesh.faceVertices.size())};
+  const WeldedMesh welded = weld(mesh, false);
+  REQUIRE(welded.mesh.faceCount() == 1);
+  const std::vector<std::uint32_t>& corners = welded.mesh.faceVertices;
+  CHECK(corners.size() < kSteps);
+  for (std::size_t i = 3; i + 1 < corners.size(); ++i) {
+    const double x = welded.mesh.positions[3 * std::size_t{corners[i]}];
+    const double next = welded.mesh.positions[3 * std::size_t{corners[i + 1]}];
+    CHECK(next - x < 5 * kStep);
+  }
+}

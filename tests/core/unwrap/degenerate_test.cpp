@@ -72,6 +72,7 @@ TEST_CASE("no vertex inside of a chart has two triangles only", "[unwrap]") {
   for (const auto& [edge, count] : sides)
     if (count == 1) boundary.insert(edge.begin(), edge.end());
   for (const auto& [vertex, count] : triangles) CHECK((count > 2 || boundary.count(vertex) == 1));
+  CHECK(r.report.symmetricDirichlet <= UnwrapOptions().maxStretch);
 }
 
 TEST_CASE("holes that stay filled may lie at the outline of their chart", "[unwrap]") {
