@@ -8,8 +8,8 @@
 namespace abflat {
 namespace {
 
-constexpr double kNothing = 0x1p-40;  // relative to the longest side; a sine of pi is less
-constexpr double kUnseen = 0x1p-22;   // four steps of a texcoord in single precision
+constexpr double kNoLength = 0x1p-40;  // relative to the longest side; a sine of pi is less
+constexpr double kUnseen = 0x1p-22;    // four steps of a texcoord in single precision
 
 std::uint32_t firstOf(std::vector<std::uint32_t>& of, std::uint32_t v) {
   while (of[v] != v) v = of[v] = of[of[v]];
@@ -75,7 +75,7 @@ class EdgeWelder {
         return sides_[c - begin] <= kUnseen * size && isSolid_[a] && isSolid_[b] &&
                distance(firstOf(of_, a), firstOf(of_, b)) <= kUnseen * size;
       };
-      if (sides_[c - begin] <= kNothing * size || isUnseen()) join(a, b, of_);
+      if (sides_[c - begin] <= kNoLength * size || isUnseen()) join(a, b, of_);
     }
   }
 
