@@ -71,6 +71,8 @@ export class LayoutView {
   /** Until the user pans or zooms, the layout stays fitted however it or the pane changes. */
   private isFitted = true;
   private isAtlas = false;
+  /** Whether there is a layout on screen. */
+  private isShown = false;
   private palette: Palette | null = null;
   /** `FLAT_FRAME` of each shown chart. */
   private frames: Float32Array = new Float32Array();
@@ -127,6 +129,8 @@ export class LayoutView {
   /** Shows no layout, until there is another one. */
   clear(): void {
     this.surface.stop();
+    if (!this.isShown) return;
+    this.isShown = false;
     this.scene.visible = false;
     this.labels.show(0);
     this.stage.invalidate();
@@ -134,6 +138,7 @@ export class LayoutView {
 
   /** Shows everything besides the triangles. */
   private showParts(layout: LayoutDrawing, edgeCharts: Uint32Array, isAtlas: boolean): void {
+    this.isShown = true;
     this.scene.visible = true;
     this.isAtlas = isAtlas;
     this.pins.setPlane(layout.middle, layout.unit);

@@ -102,7 +102,7 @@ export class Views {
     this.layout.clear();
     this.shading.clear();
     showMarksLegend(null);
-    this.showBoundary(null);
+    if (this.shownBoundary) this.showBoundary(null);
   }
 
   get boundary(): Boundary | null {
