@@ -80,6 +80,7 @@ export class ShadingControl {
 
   /** There is no layout. */
   clear(): void {
+    if (!this.spreads) return;
     this.spreads = null;
     this.showLegend();
   }
