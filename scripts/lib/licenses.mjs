@@ -10,10 +10,9 @@ const FOLDER = join(ROOT, 'scripts/licenses');
  * What each product contains. Names with a slash are npm packages, with their own LICENSE or, if
  * they come without one, the one in FOLDER.
  */
-const CORE = ['eigen', 'fast_float'];
-const WASM = [...CORE, 'emscripten', 'musl', 'llvm-runtimes'];
+const WASM = ['eigen', 'emscripten', 'musl', 'llvm-runtimes'];
 const CONTENTS = {
-  native: [...CORE, 'nlohmann-json', 'cli11', 'draco', 'meshoptimizer', 'zlib'],
+  native: ['eigen', 'fast_float', 'nlohmann-json', 'cli11', 'draco', 'meshoptimizer', 'zlib'],
   wasm: WASM,
   web: [
     ...WASM,
