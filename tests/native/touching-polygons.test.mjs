@@ -61,18 +61,38 @@ function trianglesOfOthers(faces, f) {
   });
 }
 
-/** A reader's triangles of a polygon may not reach into another face. */
-function checkReader(triangles, face, others, run) {
-  const own = triangles.map((t) => t.map((k) => face[k]));
-  const inUv = own.map((t) => {
-    const points = t.map(({ uv }) => uv);
-    return turn(...points) < 0 ? points.toReversed() : points;
-  });
+/** The height of a triangle in space, relative to its longest side. */
+function flatness(corners) {
+  const edge = (a, b) => b.place.map((x, d) => x - a.place[d]);
+  const [u, v, w] = [0, 1, 2].map((k) => edge(corners[k], corners[(k + 1) % 3]));
+  const longest = Math.max(...[u, v, w].map((side) => Math.hypot(...side)));
+  const normal = [1, 2, 0].map((d, k) => u[d] * v[[2, 0, 1][k]] - u[[2, 0, 1][k]] * v[d]);
+  return Math.hypot(...normal) / longest ** 2;
+}
+
+/** How much a chart changes lengths, from the symmetric Dirichlet energy 1 + 2 e^2. */
+const bendOf = (report) =>
+  Math.sqrt(Math.max(...report.charts.map((c) => c.symmetricDirichlet - 1), 0) / 2);
+
+/**
+ * A reader's triangles of a polygon are not flipped and do not reach into another face. Only an ear
+ * that is flatter on the surface than its chart bends may turn over, and lie on its neighbour.
+ */
+function checkReader(triangles, face, { others, bend }, run) {
+  const uvOf = (t) => t.map((k) => face[k].uv);
+  const inSpace = (t) => t.map((k) => face[k]);
+  const isTurned = (t) => turn(...uvOf(t)) < 0;
+  const flat = triangles.filter((t) => isTurned(t) && flatness(inSpace(t)) <= bend);
+  const own = triangles.filter((t) => !flat.includes(t) || isThinInSpace(inSpace(t)));
+  const flipped = own.filter((t) => isTurned(t) && !isThinInSpace(inSpace(t)));
+  assert.deepEqual(flipped, [], `${run}: triangles that are flipped`);
+  const isBesideFlat = (t) => flat.some((ear) => ear.filter((k) => t.includes(k)).length === 2);
+  const inUv = own.map((t) => (isTurned(t) ? uvOf(t).toReversed() : uvOf(t)));
   const { overlaps } = judge([...inUv, ...others], { mayBeFlat: () => true, most: 1e4 });
-  const across = overlaps.filter(([a, b]) => a < inUv.length !== b < inUv.length);
+  const across = overlaps.filter(
+    ([a, b]) => a < own.length && b >= own.length && !isBesideFlat(own[a]),
+  );
   assert.deepEqual(across, [], `${run}: triangles that reach into other faces`);
-  const flipped = own.filter((t) => !isThinInSpace(t) && turn(...t.map(({ uv }) => uv)) < 0);
-  assert.equal(flipped.length, 0, `${run}: triangles that are flipped`);
 }
 
 /** Spikes outside end where they begin; those inside end where their vertex lies in the face. */
@@ -99,7 +119,7 @@ function checkSpikes({ points, walk, rings, spikes, isAlone }, face, run) {
   }
 }
 
-function checkPolygons(mesh, path, run) {
+function checkPolygons(mesh, path, bend, run) {
   const { faces } = readAtlas(path);
   assert.equal(faces.length, mesh.faces.length);
   for (const face of faces)
@@ -113,8 +133,8 @@ function checkPolygons(mesh, path, run) {
     const points = polygon.walk.map((v) => polygon.points[v]);
     const others = trianglesOfOthers(faces, polygon.face);
     const name = `${run}, face ${polygon.face}`;
-    checkReader(fanOf(points), face, others, `${name}, fan`);
-    checkReader(earsOf(points), face, others, `${name}, ears`);
+    checkReader(fanOf(points), face, { others, bend }, `${name}, fan`);
+    checkReader(earsOf(points), face, { others, bend }, `${name}, ears`);
     checkSpikes(polygon, face, name);
   }
 }
@@ -124,6 +144,7 @@ for (let seed = FIRST; seed < FIRST + MESHES; seed++)
     const at = tempFolder(t);
     const mesh = touchingPolygons(seed);
     writeFileSync(at('in.obj'), surfaceText(mesh));
+    let bend = 0;
     for (const output of ['out.obj', 'out.glb']) {
       const args = ['unwrap', 'in.obj', '-o', output, '--report', 'r.json', '-q'];
       const { code, stderr } = await runAbflat(args, { cwd: at() });
@@ -132,6 +153,7 @@ for (let seed = FIRST; seed < FIRST + MESHES; seed++)
       assert.ok(report.valid && report.charts.every(({ valid }) => valid));
       const { isValid, ...judged } = judgeFile(at(output));
       assert.ok(isValid, `${output}: ${JSON.stringify(judged)}`);
+      bend = Math.max(bend, bendOf(report));
     }
-    checkPolygons(mesh, at('out.obj'), 'out.obj');
+    checkPolygons(mesh, at('out.obj'), bend, 'out.obj');
   });
