@@ -172,6 +172,41 @@ test('each texcoord set of a glTF can be replaced, and a new one added', async (
   }
 });
 
+test('UV islands are those of the texcoord set that is chosen, after a reload, too', async (t) => {
+  const page = await openPage(t);
+  await dropAndWait(page, 'none.glb', await io.writeBinary(scene(1)));
+  assert.ok(await page.isHidden('#read-texcoord'));
+  const charts = async () => Number((await metrics(page)).Charts);
+  const counts = [await charts()];
+  await dropAndWait(page, 'one.glb', await io.writeBinary((await exported(page)).document));
+  assert.ok(await page.isHidden('#read-texcoord'), 'one set leaves no choice');
+  await page.focus('#stretch');
+  await page.keyboard.press('End');
+  await settled(page);
+  counts.push(await charts());
+  assert.notEqual(counts[0], counts[1]);
+  await page.selectOption('#texcoord', '1');
+  const { document } = await exported(page);
+  await page.focus('#stretch');
+  await page.keyboard.press('Home');
+
+  await dropAndWait(page, 'two.glb', await io.writeBinary(document));
+  await page.click('#seams-uv');
+  await page.click('#seams-auto');
+  await settled(page);
+  assert.equal(await charts(), counts[0]);
+  await page.selectOption('#read-texcoord', '1');
+  await page.waitForFunction(() => document.title.startsWith('two.glb, UV 1'));
+  await settled(page);
+  assert.equal(await charts(), counts[1]);
+  assert.equal(await page.inputValue('#read-texcoord'), '1');
+
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.inputValue('#read-texcoord'), '1');
+  assert.equal(await charts(), counts[1]);
+});
+
 test('a glTF of several files, dropped together or not', async (t) => {
   const page = await openPage(t);
   const document = scene();

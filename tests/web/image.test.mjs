@@ -91,8 +91,9 @@ const mostNames = ['blue', 'green', 'red', 'yellow'];
 /** The colour at a point of the layout, in fractions of the unit square. */
 async function colorAt(page, u, v) {
   const bytes = await screenshot(page, LAYOUT);
+  const isAtlas = (await page.getAttribute('#mode-unwrap', 'aria-pressed')) === 'true';
   return page.evaluate(
-    async ({ text, u, v }) => {
+    async ({ text, u, v, isAtlas }) => {
       const raw = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
       const image = await createImageBitmap(new Blob([raw]));
       const { width, height } = image;
@@ -101,10 +102,11 @@ async function colorAt(page, u, v) {
       // The square is fitted in its pane.
       const margin = Math.min(28, width / 14, height / 14);
       const side = Math.min(width, height) - 2 * margin;
-      const [x, y] = [width / 2 + (u - 0.5) * side, height / 2 - (v - 0.5) * side];
+      const middle = height / 2 + (isAtlas ? (5 / 7) * margin : 0);
+      const [x, y] = [width / 2 + (u - 0.5) * side, middle - (v - 0.5) * side];
       return [...pen.getImageData(Math.floor(x), Math.floor(y), 1, 1).data].slice(0, 3);
     },
-    { text: bytes.toString('base64'), u, v },
+    { text: bytes.toString('base64'), u, v, isAtlas },
   );
 }
 

@@ -13,12 +13,16 @@ export async function atlas(page) {
   return { ofFace, uv: obj.faces.map((face) => face.map(([, t]) => obj.texcoords[t])) };
 }
 
-/** Where the layout shows a point of the unit square, once it is fitted. */
+/** Where the layout shows a point of the unit square, once it is fitted: a little below the middle. */
 export async function pixelOf(page, [u, v]) {
   const { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
   const margin = Math.min(28, width / 14, height / 14);
   const side = Math.min(width - 2 * margin, height - 2 * margin);
-  return [x + width / 2 + (u - 0.5) * side, y + height / 2 - (v - 0.5) * side, side];
+  return [
+    x + width / 2 + (u - 0.5) * side,
+    y + height / 2 + (5 / 7) * margin - (v - 0.5) * side,
+    side,
+  ];
 }
 
 export const middleOf = (corners) =>

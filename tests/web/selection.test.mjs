@@ -5,6 +5,7 @@ import { createHash } from 'node:crypto';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, together, torus } from '../support/surfaces.mjs';
+import { pixelOf } from './layout.mjs';
 import { choose, dropAndWait, openPage, settled, textOf } from './page.mjs';
 
 /** Two rings side by side. */
@@ -57,6 +58,14 @@ test('a click in the layout selects a chart in both views and in the list', asyn
   await page.keyboard.press('Escape');
   assert.ok(await page.isHidden('#selection'));
   assert.equal(await picture(page, 'mesh'), mesh);
+});
+
+test('the bar of one chart covers nothing of a fitted atlas', async (t) => {
+  const page = await opened(t);
+  await clickChart(page, 'layout');
+  const bar = await page.locator('#selection').boundingBox();
+  const [, top] = await pixelOf(page, [0, 1]);
+  assert.ok(bar.y + bar.height <= top, `${bar.y} + ${bar.height}, the atlas begins at ${top}`);
 });
 
 test('charts are hidden, isolated and shown again, by button and key', async (t) => {

@@ -6,6 +6,7 @@ import { duration } from './base/format';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
+import { ReadTexcoord } from './controls/read-texcoord';
 import { RunPanel } from './controls/run-panel';
 import { plots } from './details/late-chart';
 import { methodTables } from './details/methods-tab';
@@ -46,6 +47,7 @@ export class App implements SessionEvents {
   /** Those open in other tabs. */
   private readonly left = new LeftMeshes();
   private readonly unsaved = new Unsaved(() => this.meshes.updateTabs());
+  private readonly readTexcoord = new ReadTexcoord((source) => void this.session.open(source));
   private readonly result: ResultPanels;
   private readonly seams: SeamPanel;
   private readonly tools: HandTools | null;
@@ -274,6 +276,7 @@ export class App implements SessionEvents {
     this.said = left ? RUN.shownAgain(titleOf(source)) : '';
     this.noteWork();
     this.saving.open(source);
+    this.readTexcoord.open(opened);
     this.meshes.remark(this.visit.takeRemarks());
     this.result.open(source);
   }

@@ -8,7 +8,7 @@ import { settingsOf, textOf } from './settings-text';
 
 export type KeptMesh =
   | { kind: 'sample'; name: string }
-  | Pick<FileSource, 'kind' | 'name' | 'file' | 'others'>;
+  | Pick<FileSource, 'kind' | 'name' | 'file' | 'others' | 'texcoord'>;
 
 export interface Asked {
   /** The settings as they are in a link. */
@@ -34,8 +34,8 @@ export interface Visit {
 
 export function meshOf(source: Source): KeptMesh {
   if (source.kind === 'sample') return source;
-  const { kind, name, file, others } = source;
-  return { kind, name, file, others };
+  const { kind, name, file, others, texcoord } = source;
+  return { kind, name, file, others, texcoord };
 }
 
 export const bytesOf = (mesh: KeptMesh): number =>
@@ -76,9 +76,9 @@ export function visitOf(mesh: unknown, asked: unknown): Visit {
 
 function sourceOf(mesh: KeptMesh): Source {
   if (mesh?.kind === 'sample') return { kind: 'sample', name: String(mesh.name) };
-  const { kind, name, file, others } = mesh;
+  const { kind, name, file, others, texcoord } = mesh;
   if (![file, ...others].every((each) => each instanceof File)) throw new Error('no files');
-  const source: FileSource = { kind, name: String(name), file, others, together: [] };
+  const source: FileSource = { kind, name: String(name), file, others, together: [], texcoord };
   source.together.push(source);
   return source;
 }

@@ -397,8 +397,10 @@ export const STEP_BUTTONS = {
     what === null ? 'Redo (Ctrl+Shift+Z)' : `Redo: ${what} (Ctrl+Shift+Z)`,
 };
 
-/** The choice of a glTF's texcoord set. */
+/** The choices of a glTF's texcoord sets. */
 export const UV_SETS = {
+  read: (set: number) => `UV ${set}`,
+  title: (name: string, set: number) => `${name}, UV ${set}`,
   added: (set: number) => `UV ${set}, new`,
   replaced: (set: number) => `UV ${set}, replaced`,
 };

@@ -38,7 +38,8 @@ export class TexcoordChoice {
   }
 }
 
-/** Faces that keep their uv keep it in the set that their textures use, which is 0. */
-function usual({ mode, settings }: Outcome, free: number): number {
-  return mode === 'unwrap' && 'fixedFaces' in settings && settings.fixedFaces ? 0 : free;
+/** Faces that keep their uv keep it in the set that was read. */
+function usual({ mode, settings, source }: Outcome, free: number): number {
+  const isKept = mode === 'unwrap' && 'fixedFaces' in settings && settings.fixedFaces;
+  return isKept ? (source.kind === 'file' && source.texcoord) || 0 : free;
 }

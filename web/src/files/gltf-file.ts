@@ -3,18 +3,18 @@
 import type { Document, Primitive } from '@gltf-transform/core';
 import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords } from 'abflat/gltf';
 import { GLTF } from '../base/english';
-import type { GltfFile, GltfFiles, LayoutArrays } from '../model/model';
+import type { ChosenGltf, GltfFile, GltfFiles, LayoutArrays } from '../model/model';
 import { compressionsOf, decompressed } from './compression';
 import { gltfIo, openGltf } from './gltf-source';
 
 /** Null for a compressed file, which `readCompressed` reads. */
-export function readGltf(file: File, others: File[]): Promise<GltfFile | null> {
-  return orDamaged(file.name, () => readPlain(file, others));
+export function readGltf(chosen: ChosenGltf): Promise<GltfFile | null> {
+  return orDamaged(chosen.file.name, () => readPlain(chosen));
 }
 
 /** The copy it keeps is an uncompressed GLB, so that nothing is decoded twice. */
-export function readCompressed(file: File, others: File[]): Promise<GltfFile> {
-  return orDamaged(file.name, () => decode(file, others));
+export function readCompressed(chosen: ChosenGltf): Promise<GltfFile> {
+  return orDamaged(chosen.file.name, () => decode(chosen));
 }
 
 /** Problems that glTF-Transform does not check for end in plain JavaScript errors. */
@@ -27,20 +27,20 @@ async function orDamaged<T>(name: string, read: () => Promise<T>): Promise<T> {
   }
 }
 
-async function readPlain(file: File, others: File[]): Promise<GltfFile | null> {
+async function readPlain({ file, others, texcoord }: ChosenGltf): Promise<GltfFile | null> {
   const { source, used } = await openGltf(file, others);
   if (compressionsOf(source).length > 0) return null;
   const document = await gltfIo().readJSON(source);
   const [copy, ...copies] = used.map(({ name, bytes }) => fileOf(name, bytes));
-  return { ...contentOf(file.name, document), files: { file: copy, others: copies } };
+  return { ...contentOf(file.name, document, texcoord), files: { file: copy, others: copies } };
 }
 
-async function decode(file: File, others: File[]): Promise<GltfFile> {
+async function decode({ file, others, texcoord }: ChosenGltf): Promise<GltfFile> {
   const { name } = file;
   const { source } = await openGltf(file, others);
   const document = await decompressed(name, source);
   return {
-    ...contentOf(name, document),
+    ...contentOf(name, document, texcoord),
     files: { file: fileOf(name, await glbOf(document)), others: [] },
     compressions: compressionsOf(source),
   };
@@ -58,8 +58,9 @@ export async function writeGltf(
   return new Blob([await glbOf(document)], { type: 'model/gltf-binary' });
 }
 
-function contentOf(name: string, document: Document): Omit<GltfFile, 'files'> {
-  const { positions, indices, texcoords, materials, notes } = documentMesh(document);
+function contentOf(name: string, document: Document, texcoord: number): Omit<GltfFile, 'files'> {
+  const mesh = documentMesh(document, undefined, texcoord);
+  const { positions, indices, texcoords, materials, notes } = mesh;
   if (indices.length === 0) throw new Error(GLTF.noTriangles(name));
   const primitives = document
     .getRoot()

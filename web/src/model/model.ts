@@ -24,6 +24,8 @@ export interface FileSource {
   others: File[];
   /** All meshes that were chosen at once, including this one. */
   together: FileSource[];
+  /** The texcoord set of a glTF that is read; 0 if not given. */
+  texcoord?: number;
 }
 
 export const isGltf = ({ name }: Source) => /\.(glb|gltf)$/i.test(name);
@@ -47,6 +49,11 @@ export interface GltfFiles {
   file: File;
   /** The files that it refers to. */
   others: File[];
+}
+
+/** A document to read, and the texcoord set that is wanted of it. */
+export interface ChosenGltf extends GltfFiles {
+  texcoord: number;
 }
 
 export interface GltfFile {

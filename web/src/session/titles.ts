@@ -1,3 +1,4 @@
+import { UV_SETS } from '../base/english';
 import type { Source } from '../model/model';
 
 /** "wavy-strip" as "Wavy strip". */
@@ -7,5 +8,6 @@ export function sampleTitle(name: string): string {
 }
 
 export function titleOf(source: Source): string {
-  return source.kind === 'sample' ? sampleTitle(source.name) : source.name;
+  if (source.kind === 'sample') return sampleTitle(source.name);
+  return source.texcoord ? UV_SETS.title(source.name, source.texcoord) : source.name;
 }

@@ -26,6 +26,8 @@ import { TileLabels } from './tile-labels';
 
 /** Css pixels between a fitted layout and the border of its pane. */
 const MARGIN = 28;
+/** The part of it by which an atlas is lower than the middle: the bar of what is selected is above. */
+const LOWER = 5 / 7;
 
 /** Css pixels; thin for atlases, whose charts may be many and small. */
 const OUTLINE = 2.25;
@@ -357,7 +359,9 @@ export class LayoutView {
     const margin = Math.min(MARGIN, this.stage.width / 14, this.stage.height / 14);
     const across = (this.stage.width - 2 * margin) / (size[0] || 1);
     const down = (this.stage.height - 2 * margin) / (size[1] || 1);
-    this.panZoom.set(x, y, Math.min(across, down));
+    const scale = Math.min(across, down);
+    const lower = this.tiles > 0 ? LOWER * margin : 0;
+    this.panZoom.set(x, y + lower / scale, scale);
     this.stage.invalidate();
   }
 

@@ -28,7 +28,7 @@ import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { FaceDensities } from '../model/face-densities';
-import type { GltfFiles, LayoutArrays } from '../model/model';
+import type { ChosenGltf, GltfFiles, LayoutArrays } from '../model/model';
 import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 
@@ -139,13 +139,13 @@ const tasks = {
     return heatMapPng(drawing, positionsOf(layout, input));
   },
 
-  gltf: async (file: File, others: File[]) => {
-    const read = await (await gltfFile()).readGltf(file, others);
+  gltf: async (chosen: ChosenGltf) => {
+    const read = await (await gltfFile()).readGltf(chosen);
     return read && transfer(read, buffersOf(read.mesh));
   },
 
-  compressed: async (file: File, others: File[]) => {
-    const read = await (await gltfFile()).readCompressed(file, others);
+  compressed: async (chosen: ChosenGltf) => {
+    const read = await (await gltfFile()).readCompressed(chosen);
     return transfer(read, buffersOf(read.mesh));
   },
 

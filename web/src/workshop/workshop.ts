@@ -12,6 +12,7 @@ import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { FaceDensities } from '../model/face-densities';
 import type {
+  ChosenGltf,
   FileSource,
   GltfFile,
   Helpers,
@@ -190,9 +191,10 @@ export class Workshop implements Helpers {
     return this.send([drawing], (tasks, own) => tasks.svg(own, millimetres));
   }
 
-  async gltf({ file, others }: FileSource, signal: AbortSignal): Promise<GltfFile> {
-    const read = await this.send([], (tasks) => tasks.gltf(file, others));
-    return read ?? compressed(file, others, signal);
+  async gltf({ file, others, texcoord = 0 }: FileSource, signal: AbortSignal): Promise<GltfFile> {
+    const chosen = { file, others, texcoord };
+    const read = await this.send([], (tasks) => tasks.gltf(chosen));
+    return read ?? compressed(chosen, signal);
   }
 
   /**
@@ -276,14 +278,14 @@ function startWorker(name: string, onLost: () => void): Running {
  * In a separate worker: the decoder's memory is freed with it, and data that would keep it busy
  * forever can be cancelled.
  */
-async function compressed(file: File, others: File[], signal: AbortSignal): Promise<GltfFile> {
+async function compressed(chosen: ChosenGltf, signal: AbortSignal): Promise<GltfFile> {
   signal.throwIfAborted();
   const { tasks, lost, end } = startWorker('decoder', () => undefined);
   const aborted = new Promise<never>((_, reject) => {
     signal.addEventListener('abort', () => reject(signal.reason));
   });
   try {
-    return await Promise.race([tasks.compressed(file, others), lost, aborted]);
+    return await Promise.race([tasks.compressed(chosen), lost, aborted]);
   } catch (error) {
     return explained(error as Error);
   } finally {
