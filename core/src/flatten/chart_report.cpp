@@ -57,12 +57,11 @@ std::string missedText(const MissedAngles& exceeded, const MissedAngles& bent) {
 
 std::string findProblem(const DiskChart& chart, const Attempt& a) {
   const Validity& v = a.validity;
-  if (!a.converged()) {
+  if (!a.converged())
     return "the solver did not converge: constraint residual " +
            withDigits(a.solution.constraintResidual, 2) + " after " +
            std::to_string(a.solution.history.size()) + " steps" +
            (a.straight ? ". Shorten or remove straight runs" : "");
-  }
   if (a.pins && a.wasValidUnpinned && !v.valid())
     return "the pins fold the layout: " +
            (v.flippedTriangles > 0 ? counted(v.flippedTriangles, "triangle is", "triangles are") +

@@ -1,13 +1,11 @@
 #include "mesh/necks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "base/ids.h"
-#include "base/stable_order.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
 #include "mesh/clip_ears.h"
