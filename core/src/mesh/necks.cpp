@@ -24,6 +24,7 @@ class Walk {
   Walk(const std::vector<double>& positions, const std::vector<std::uint32_t>& places)
       : positions_(positions), places_(places) {
     std::vector<Vec3> points;
+    points.reserve(places.size());
     for (const std::uint32_t v : places) points.push_back(edgeVector(positions, places[0], v));
     normal_ = unit(areaVector(points));
   }
@@ -114,9 +115,11 @@ std::optional<Opening> openNecks(const std::vector<double>& positions,
   }
   if (necks.empty()) return Opening{};
   const Walk walk(positions, places);
-  for (double opening = kOpening; opening > kLeastOpening; opening /= 4) {
+  double opening = kOpening;
+  while (opening > kLeastOpening) {
     Opening out = openAll(necks, walk, opening);
     if (isSimple(opened(walk, out))) return out;
+    opening /= 4;
   }
   return std::nullopt;
 }

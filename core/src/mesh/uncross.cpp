@@ -1,34 +1,13 @@
 #include "mesh/uncross.h"
 
-#include <algorithm>
 #include <numeric>
+#include <utility>
 
+#include "base/disjoint_sets.h"
 #include "mesh/surroundings.h"
 
 namespace abflat {
 namespace {
-
-/// Sets of edges that are on one way.
-class Ways {
- public:
-  explicit Ways(std::uint32_t edges) : first_(edges) {
-    std::iota(first_.begin(), first_.end(), 0u);
-  }
-  /// Joins the ways of two edges. False if they are one.
-  bool join(std::uint32_t a, std::uint32_t b) {
-    a = firstOf(a);
-    b = firstOf(b);
-    first_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::uint32_t firstOf(std::uint32_t e) {
-    while (first_[e] != e) e = first_[e] = first_[first_[e]];
-    return e;
-  }
-  std::vector<std::uint32_t> first_;
-};
 
 /// Edges that come into a place, each with the next one clockwise, which leaves it, as corners.
 std::vector<std::array<std::uint32_t, 2>> piecesAt(const Surroundings& place) {
@@ -57,7 +36,7 @@ CornerLoop uncross(const std::vector<double>& positions, const std::vector<std::
   for (const Surroundings* place : crossed)
     for (const auto& [in, out] : piecesAt(*place)) leaving[in] = out;
   const auto before = [n](std::uint32_t k) { return k == 0 ? n - 1 : k - 1; };
-  Ways ways(n);
+  DisjointSets ways(n);  // of edges
   for (std::uint32_t k = 0; k < n; ++k) ways.join(before(k), leaving[k]);
   // Pieces beside each other become one, unless they are on one way already.
   for (const Surroundings* place : crossed) {

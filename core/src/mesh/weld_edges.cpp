@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/disjoint_sets.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -11,32 +13,21 @@ namespace {
 constexpr double kNoLength = 0x1p-40;  // relative to the longest side; a sine of pi is less
 constexpr double kUnseen = 0x1p-22;    // four steps of a texcoord in single precision
 
-std::uint32_t firstOf(std::vector<std::uint32_t>& of, std::uint32_t v) {
-  while (of[v] != v) v = of[v] = of[of[v]];
-  return v;
-}
-
-void join(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& of) {
-  const auto [first, second] = std::minmax({firstOf(of, a), firstOf(of, b)});
-  of[second] = first;
-}
-
-/// Points every vertex to the first one that it is joined with.
-void settle(Welding& welding) {
-  std::vector<std::uint32_t>& of = welding.ofVertex;
-  welding.merged = 0;
-  for (std::uint32_t v = 0; v < of.size(); ++v) welding.merged += (of[v] = firstOf(of, v)) != v;
-}
-
 class EdgeWelder {
  public:
-  EdgeWelder(const PolygonMesh& mesh, const Pulse& pulse, Welding& welding)
-      : mesh_(mesh), of_(welding.ofVertex), place_(welding.ofVertex) {
-    size_.assign(mesh.vertexCount(), HUGE_VAL);
-    isSolid_.assign(mesh.vertexCount(), 0);
-    for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) look(f);
-    if (pulse.isStopped()) return;
-    for (const std::uint32_t f : faces_) weld(f);
+  EdgeWelder(const PolygonMesh& mesh, const std::vector<std::uint32_t>& place)
+      : mesh_(mesh),
+        place_(place),
+        sets_(place),
+        size_(mesh.vertexCount(), HUGE_VAL),
+        isSolid_(mesh.vertexCount(), 0) {}
+
+  /// The first one of the merged vertices, per vertex.
+  std::vector<std::uint32_t> weld(const Pulse& pulse) && {
+    for (std::uint32_t f = 0; f < mesh_.faceCount() && pulse.beat(); ++f) look(f);
+    if (!pulse.isStopped())
+      for (const std::uint32_t f : faces_) weld(f);
+    return std::move(sets_).release();
   }
 
  private:
@@ -73,9 +64,9 @@ class EdgeWelder {
       const double size = std::min(size_[a], size_[b]);
       const auto isUnseen = [&] {
         return sides_[c - begin] <= kUnseen * size && isSolid_[a] && isSolid_[b] &&
-               distance(firstOf(of_, a), firstOf(of_, b)) <= kUnseen * size;
+               distance(sets_.leastOf(a), sets_.leastOf(b)) <= kUnseen * size;
       };
-      if (sides_[c - begin] <= kNoLength * size || isUnseen()) join(a, b, of_);
+      if (sides_[c - begin] <= kNoLength * size || isUnseen()) sets_.join(a, b);
     }
   }
 
@@ -84,8 +75,8 @@ class EdgeWelder {
   }
 
   const PolygonMesh& mesh_;
-  std::vector<std::uint32_t>& of_;
-  const std::vector<std::uint32_t> place_;  ///< before
+  const std::vector<std::uint32_t>& place_;  ///< before
+  DisjointSets sets_;
   /// Per place: the longest side of the smallest face, and whether a face keeps an area.
   std::vector<double> size_;
   std::vector<std::uint8_t> isSolid_;
@@ -95,14 +86,16 @@ class EdgeWelder {
 
 }  // namespace
 
-void joinVertices(const VertexPairs& pairs, Welding& welding) {
-  for (const auto& [a, b] : pairs) join(a, b, welding.ofVertex);
-  settle(welding);
+std::vector<std::uint32_t> joinVertices(const VertexPairs& pairs,
+                                        std::vector<std::uint32_t> place) {
+  DisjointSets sets(std::move(place));
+  for (const auto& [a, b] : pairs) sets.join(a, b);
+  return std::move(sets).release();
 }
 
-void weldEdges(const PolygonMesh& mesh, const Pulse& pulse, Welding& welding) {
-  EdgeWelder(mesh, pulse, welding);
-  settle(welding);
+std::vector<std::uint32_t> weldEdges(const PolygonMesh& mesh, const Pulse& pulse,
+                                     const std::vector<std::uint32_t>& place) {
+  return EdgeWelder(mesh, place).weld(pulse);
 }
 
 }  // namespace abflat

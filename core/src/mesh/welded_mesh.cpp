@@ -157,17 +157,14 @@ void addWalk(InputFace f, const std::vector<std::uint32_t>& places, const Polygo
 
 WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
                 const VertexPairs& joined) {
-  Welding welding;
-  if (byPosition) {
-    welding = weldSurface(mesh, pulse);
-  } else {
-    welding.ofVertex.resize(mesh.vertexCount());
-    std::iota(welding.ofVertex.begin(), welding.ofVertex.end(), 0u);
-  }
-  joinVertices(joined, welding);
-  weldEdges(mesh, pulse, welding);
+  std::vector<std::uint32_t> place(mesh.vertexCount());  // per vertex the first one there
+  if (byPosition)
+    place = weldSurface(mesh, pulse).ofVertex;
+  else
+    std::iota(place.begin(), place.end(), 0u);
+  place = weldEdges(mesh, pulse, joinVertices(joined, std::move(place)));
   WeldedMesh out;
-  out.mergedVertices = welding.merged;
+  for (std::uint32_t v = 0; v < place.size(); ++v) out.mergedVertices += place[v] != v;
   out.mesh.positions = mesh.positions;
   out.mesh.faceOffsets.push_back(0);
   out.mesh.faceVertices.reserve(mesh.faceVertices.size());
@@ -180,7 +177,7 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
     bool visitsTwice = false;
     places.clear();
     for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c) {
-      places.push_back(welding.ofVertex[mesh.faceVertices[c]]);
+      places.push_back(place[mesh.faceVertices[c]]);
       visitsTwice = visitsTwice || lastFace[places.back()] == f;
       lastFace[places.back()] = f;
     }
@@ -192,8 +189,8 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
   if (pulse.isStopped()) return out;
   separateLayers(pulse, out);
   openCorners(opened, out.mesh);
-  out.firstAtPlace.reserve(welding.ofVertex.size());
-  for (const std::uint32_t v : welding.ofVertex) out.firstAtPlace.push_back(InputVertex(v));
+  out.firstAtPlace.reserve(place.size());
+  for (const std::uint32_t v : place) out.firstAtPlace.push_back(InputVertex(v));
   return out;
 }
 

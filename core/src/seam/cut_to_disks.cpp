@@ -2,32 +2,11 @@
 
 #include <algorithm>
 
+#include "base/disjoint_sets.h"
 #include "seam/path_forest.h"
 
 namespace abflat {
 namespace {
-
-/// Disjoint sets of triangles, with path halving.
-class Sets {
- public:
-  explicit Sets(IdRange<SurfaceTriangle> triangles) : parent_(triangles.size()) {
-    for (const SurfaceTriangle f : triangles) parent_[f] = f;
-  }
-  bool join(SurfaceTriangle a, SurfaceTriangle b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return false;
-    parent_[std::max(a, b)] = std::min(a, b);
-    return true;
-  }
-
- private:
-  SurfaceTriangle find(SurfaceTriangle a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  IdVector<SurfaceTriangle, SurfaceTriangle> parent_;
-};
 
 struct NeededLoop {
   double cost;
@@ -48,7 +27,7 @@ std::vector<SurfaceCorner> neededEdges(const CutPaths& paths) {
   std::sort(loops.begin(), loops.end(), [](const NeededLoop& a, const NeededLoop& b) {
     return a.cost != b.cost ? a.cost > b.cost : a.h < b.h;
   });
-  Sets triangles(paths.mesh.triangles());
+  DisjointSets triangles(paths.mesh.triangles().size());
   std::vector<SurfaceCorner> needed;
   for (const NeededLoop& l : loops)
     if (!triangles.join(triangleOf(l.h), triangleOf(s.twin[l.h]))) needed.push_back(l.h);
