@@ -86,7 +86,10 @@ export async function buildFirstPage() {
 }
 
 export async function buildWasm() {
-  for (const folder of Object.keys(WASM_BUILDS)) await compileWasm(folder);
+  // All at once: the linker of each uses one core.
+  const builds = await Promise.allSettled(Object.keys(WASM_BUILDS).map(compileWasm));
+  const failed = builds.find(({ status }) => status === 'rejected');
+  if (failed) throw failed.reason;
   await unlessFresh(
     'wasm-package',
     [...COMMON_INPUTS, 'wasm', ...WASM_MODULES],

@@ -44,11 +44,17 @@ export function testFiles(folder, { long = false } = {}) {
   return names.sort().map((name) => join('tests', folder, name));
 }
 
-/** A job for each file of a folder. `kind` distinguishes several runs of one folder. */
+/**
+ * A job for each file of a folder. `kind` distinguishes several runs of one folder. `run` of a job
+ * takes what its environment has in addition.
+ */
 export function nodeJobs(folder, env = {}, { long = false, kind = '' } = {}) {
   const files = testFiles(folder, { long });
   if (files.length === 0) return [noTests(folder)];
-  return files.map((file) => ({ name: file, run: () => runNodeTests(file, env, kind) }));
+  return files.map((file) => ({
+    name: file,
+    run: (more = {}) => runNodeTests(file, { ...env, ...more }, kind),
+  }));
 }
 
 function noTests(folder) {

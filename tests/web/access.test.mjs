@@ -52,7 +52,7 @@ test('the theme follows the system, can be switched and is remembered', async (t
 
 test('text has contrast in both themes', async (t) => {
   // Without transitions, so that colours have their final values.
-  const page = await openPage(t, { reducedMotion: 'reduce', mode: 'flatten', open: WAVES });
+  const page = await openPage(t, { mode: 'flatten', open: WAVES });
   await page.click('#details-toggle');
   await page.mouse.move(0, 0);
   for (const theme of ['dark', 'light']) {
@@ -72,7 +72,7 @@ test('text has contrast in both themes', async (t) => {
 });
 
 test('text of an atlas has contrast in both themes', async (t) => {
-  const page = await openPage(t, { reducedMotion: 'reduce' });
+  const page = await openPage(t);
   await page.click('#more-toggle');
   await page.click('#more-straight-seams');
   await settled(page);

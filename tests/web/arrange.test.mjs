@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { boxArray, objText, together, torus } from '../support/surfaces.mjs';
 import { atlas, middleOf, pixelOf } from './layout.mjs';
-import { drawn, openPage, settled, textOf } from './page.mjs';
+import { drawn, openPage, pathOf, settled, textOf } from './page.mjs';
 
 /** Two rings side by side. */
 const RINGS = objText(
@@ -150,7 +150,7 @@ test('a seam is cut elsewhere: charts stay where they were moved to', async (t) 
   // Edges of the other ring.
   await page.click('#details-toggle');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#seams-save')]);
-  const seams = readFileSync(await download.path(), 'utf8').trim();
+  const seams = readFileSync(await pathOf(download), 'utf8').trim();
   await page.setInputFiles('#seams-file', {
     name: 'more.txt',
     mimeType: 'text/plain',

@@ -20,7 +20,7 @@ async function findings(page) {
 
 /** Without transitions, so that colours have their final values. */
 async function openWithAxe(t, mode) {
-  const page = await openPage(t, { reducedMotion: 'reduce', mode });
+  const page = await openPage(t, { mode });
   await page.evaluate(axe.source);
   return page;
 }

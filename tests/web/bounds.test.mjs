@@ -15,7 +15,7 @@ import {
   settled,
   textOf,
 } from './page.mjs';
-import { drawn, STILL } from './seam-page.mjs';
+import { drawn, SMALL } from './seam-page.mjs';
 
 const N = 4;
 
@@ -34,7 +34,7 @@ function angle() {
 
 const openAngle = async (t, options) => {
   const page = await openPage(t, {
-    ...STILL,
+    ...SMALL,
     ...options,
     mode: 'flatten',
     open: ['angle.obj', objText(angle())],

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { choose, openPage, settled, textOf } from './page.mjs';
-import { STILL } from './seam-page.mjs';
+import { SMALL } from './seam-page.mjs';
 import { CONTROLS, isOpen, keysOf } from './sheet-keys.mjs';
 
 test('the sheet opens by its button and by ?, and closes', async (t) => {
@@ -57,7 +57,7 @@ test('what is typed into a field opens nothing', async (t) => {
 });
 
 test('Escape closes the sheet, and the cut that was begun goes on', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['ball.obj', objText(sphere(6))] });
+  const page = await openPage(t, { ...SMALL, open: ['ball.obj', objText(sphere(6))] });
   await page.focus('#mesh-canvas');
   await page.keyboard.press('Home');
   await page.keyboard.press('Enter');
@@ -113,7 +113,7 @@ const isListed = (key, listed) =>
   listed.has(key.replace(/^Alt\+(?=Enter|Space)/, '')) || listed.has(key.toUpperCase());
 
 test('no key is missing from the sheet', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t, SMALL);
   const everywhere = [...keysOf('Page'), ...keysOf('Seams')];
   const check = async (places) => {
     const taken = await takenKeys(page, Object.keys(places));

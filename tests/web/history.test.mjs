@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { parseObj } from '../support/atlas.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
-import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import { dropAndWait, exportMesh, metrics, openPage, pathOf, settled, textOf } from './page.mjs';
 
 const BOTH = objText(
   together([
@@ -156,7 +156,7 @@ test('an edit of seams moves no chart that it leaves as it is', async (t) => {
   const before = cornersOf(await exported(page));
   // Removes a seam of one chart: that of the edges listed without it.
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#seams-save')]);
-  const seams = readFileSync(await download.path(), 'utf8')
+  const seams = readFileSync(await pathOf(download), 'utf8')
     .trim()
     .split('\n');
   const isComment = (line) => line.startsWith('#');

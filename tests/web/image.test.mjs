@@ -9,7 +9,16 @@ import { CUBE, grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { countTextures, loseContexts, prepareCounting } from './graphics.mjs';
 import { loadModule } from './modules.mjs';
-import { drawn, dropAndWait, dropFiles, metrics, openPage, settled, textOf } from './page.mjs';
+import {
+  drawn,
+  dropAndWait,
+  dropFiles,
+  metrics,
+  openPage,
+  pathOf,
+  settled,
+  textOf,
+} from './page.mjs';
 
 const { areImages } = await loadModule('opening/chosen-files');
 const { toUnitSquare } = await loadModule('mesh/unit-square');
@@ -18,8 +27,6 @@ const MESH = '#mesh-canvas';
 const LAYOUT = '#layout-canvas';
 const COLORS = { red: RED, green: GREEN, blue: BLUE, yellow: YELLOW };
 const BALL = ['ball.obj', objText(sphere(8))];
-const STILL = { reducedMotion: 'reduce' };
-
 /** Waits until the image is shown. */
 async function shows(page, name) {
   await page.waitForFunction((text) => {
@@ -125,7 +132,7 @@ async function assertUpright(page, tint = 40) {
 }
 
 test('an image that is dropped is on the mesh and under the layout, v upwards', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   const before = await metrics(page);
   assert.equal((await options(page)).at(-1), 'Image…');
   await dropImage(page, 'four.png', fourColors());
@@ -161,7 +168,7 @@ test('an image that is dropped is on the mesh and under the layout, v upwards', 
 test('a disk lies where its texcoords are exported, all of the image in view', async (t) => {
   // Half as high as wide.
   const strip = grid(8).replaceAll(/^v (\S+) (\S+)/gm, (_, x, y) => `v ${x} ${y / 2}`);
-  const page = await openPage(t, { ...STILL, mode: 'flatten', open: ['strip.obj', strip] });
+  const page = await openPage(t, { mode: 'flatten', open: ['strip.obj', strip] });
   await dropImage(page, 'four.png', fourColors());
   await assertUpright(page);
   await page.click('#fit');
@@ -171,7 +178,7 @@ test('a disk lies where its texcoords are exported, all of the image in view', a
 });
 
 test('an image is chosen from the list, by pointer or keyboard, and can be replaced', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   const picture = { name: 'red.png', mimeType: 'image/png', buffer: oneColor(RED) };
   const ask = async (act) => {
     const [chooser] = await Promise.all([page.waitForEvent('filechooser'), act()]);
@@ -212,7 +219,7 @@ test('an image is chosen from the list, by pointer or keyboard, and can be repla
 });
 
 test('of images that are dropped fast the last one stays, also while a mesh is opened', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   await dropFiles(page, { 'large.png': oneColor(RED, 2000) });
   await dropFiles(page, { 'blue.png': oneColor(BLUE) });
   await dropFiles(page, { 'next.obj': CUBE });
@@ -227,7 +234,7 @@ test('of images that are dropped fast the last one stays, also while a mesh is o
 });
 
 test('the next image frees the last one', async (t) => {
-  const page = await openPage(t, { ...STILL, prepare: prepareCounting, open: BALL });
+  const page = await openPage(t, { prepare: prepareCounting, open: BALL });
   const before = await countTextures(page);
   for (const name of ['red.png', 'blue.png', 'green.png']) {
     await dropImage(page, name, oneColor(RED));
@@ -237,7 +244,7 @@ test('the next image frees the last one', async (t) => {
 });
 
 test('an image that is pasted is shown', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   await page.evaluate((text) => {
     const clipboardData = new DataTransfer();
     const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
@@ -249,7 +256,7 @@ test('an image that is pasted is shown', async (t) => {
 });
 
 test('the next mesh keeps the image; an image that comes with a mesh belongs to that', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   await dropImage(page, 'four.png', fourColors());
   await dropAndWait(page, 'cube.obj', CUBE);
   assert.equal(await page.inputValue('#shading'), 'image');
@@ -265,7 +272,7 @@ test('the next mesh keeps the image; an image that comes with a mesh belongs to 
 });
 
 test('an image that cannot be shown is named, and the last one stays', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   await dropImage(page, 'red.png', oneColor(RED));
   for (const [name, sentence] of [
     ['torn.png', 'torn.png is damaged or too large to show. Save it again as PNG, JPEG or WebP.'],
@@ -286,7 +293,7 @@ test('an image that cannot be shown is named, and the last one stays', async (t)
 });
 
 test('an image that is too large is scaled down; of several, one is shown', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   const most = await page.evaluate(() => {
     const gl = document.createElement('canvas').getContext('webgl2');
     return gl.getParameter(gl.MAX_TEXTURE_SIZE);
@@ -304,7 +311,7 @@ test('an image that is too large is scaled down; of several, one is shown', asyn
 });
 
 test('each tile has the image', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   await dropImage(page, 'four.png', fourColors());
   const one = await seen(page, await screenshot(page, LAYOUT));
   await page.click('#more-toggle');
@@ -322,7 +329,7 @@ test('each tile has the image', async (t) => {
 });
 
 test('where the image is transparent, the mesh and what is behind the layout are seen', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   const half = madePng(16, 16, (x) => [...RED, x < 8 ? 255 : 0]);
   await dropImage(page, 'half.png', half);
   assertColor(await colorAt(page, 0.02, 0.98), RED, 4, 'left');
@@ -330,18 +337,18 @@ test('where the image is transparent, the mesh and what is behind the layout are
 });
 
 test('the picture of both views shows the image', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { open: BALL });
   await dropImage(page, 'four.png', fourColors());
   await page.click('#export-formats');
   const item = page.getByRole('menuitem', { name: 'Picture of both views' });
   const [download] = await Promise.all([page.waitForEvent('download'), item.click()]);
-  const found = await seen(page, readFileSync(await download.path()));
+  const found = await seen(page, readFileSync(await pathOf(download)));
   assert.deepEqual(Object.keys(found).sort(), mostNames);
   assert.ok(Object.values(found).some(({ left }) => left < 0.5) && found.green.right > 0.6);
 });
 
 test('the image comes back with a lost context', async (t) => {
-  const page = await openPage(t, { ...STILL, own: true, open: BALL, expected: /WebGL|Context/ });
+  const page = await openPage(t, { own: true, open: BALL, expected: /WebGL|Context/ });
   await dropImage(page, 'four.png', fourColors());
   await loseContexts(page, [MESH, LAYOUT]);
   await drawn(page);

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { drawn, drop, openPage, settled, textOf } from './page.mjs';
-import { STILL } from './seam-page.mjs';
+import { SMALL } from './seam-page.mjs';
 import { isOpen, keysOf } from './sheet-keys.mjs';
 
 const BALL = ['ball.obj', objText(sphere(6))];
@@ -18,7 +18,7 @@ for (const [title, canvas] of [
   ['Layout view', '#layout-canvas'],
 ])
   test(`${title}: each key moves the picture`, async (t) => {
-    const page = await openPage(t, { ...STILL, open: BALL });
+    const page = await openPage(t, { ...SMALL, open: BALL });
     await page.focus(canvas);
     for (const key of keysOf(title)) {
       // From where every key leads elsewhere.
@@ -32,7 +32,7 @@ for (const [title, canvas] of [
   });
 
 test('Seams: each key does what the sheet says', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { ...SMALL, open: BALL });
   const says = async (pattern) => assert.match(await textOf(page, '#run-text'), pattern);
   const hint = () => page.evaluate(() => document.querySelector('#seam-hint').textContent);
   const cut = async (modifier = '') => {
@@ -97,7 +97,7 @@ test('Seams: each key does what the sheet says', async (t) => {
 });
 
 test('Bounds: each key does what the sheet says', async (t) => {
-  const page = await openPage(t, { ...STILL, mode: 'flatten', open: ['grid.obj', grid(4)] });
+  const page = await openPage(t, { ...SMALL, mode: 'flatten', open: ['grid.obj', grid(4)] });
   const says = async (pattern) => assert.match(await textOf(page, '#run-text'), pattern);
   // Once the brush is there.
   const painting = async () => {
@@ -136,7 +136,7 @@ test('Bounds: each key does what the sheet says', async (t) => {
 });
 
 test('Charts: each key does what the sheet says', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { ...SMALL, open: BALL });
   const press = (key) => page.keyboard.press(key);
   const isSelected = () => page.isVisible('#selection-frame');
   const isHidden = () => page.isVisible('#selection-show-all');
@@ -205,7 +205,7 @@ test('Charts: each key does what the sheet says', async (t) => {
 });
 
 test('Moving charts: each key does what the sheet says', async (t) => {
-  const page = await openPage(t, { ...STILL, open: BALL });
+  const page = await openPage(t, { ...SMALL, open: BALL });
   const text = () => textOf(page, '#selection-text');
   const press = (key) => page.keyboard.press(key);
   await page.focus('#layout-canvas');
@@ -324,7 +324,7 @@ test('Page: each key does what the sheet says', async (t) => {
 });
 
 test('Details and t: each key does what the sheet says', async (t) => {
-  const page = await openPage(t, { ...STILL, mode: 'flatten' });
+  const page = await openPage(t, { ...SMALL, mode: 'flatten' });
   await page.click('#details-toggle');
   const focused = () =>
     page.evaluate(() => document.activeElement.id || document.activeElement.ariaLabel);

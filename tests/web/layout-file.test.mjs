@@ -8,14 +8,23 @@ import { parsePng } from '../support/png.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
-import { choose, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
+import {
+  choose,
+  dropAndWait,
+  exportMesh,
+  metrics,
+  openPage,
+  pathOf,
+  settled,
+  textOf,
+} from './page.mjs';
 
 const RINGS = together([0, 1].map((i) => [torus(16, 8), [2.6 * i, 0, 0]]));
 
 /** Saves with a button; returns name and bytes. */
 async function save(page, id) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(id)]);
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  return { name: download.suggestedFilename(), bytes: readFileSync(await pathOf(download)) };
 }
 
 const middle = (points) =>

@@ -115,10 +115,8 @@ async function assertFourColors(page, light = 4) {
   assertTurned(layout);
 }
 
-const STILL = { reducedMotion: 'reduce' };
-
 test('the texture of a GLB is on the mesh and in its new place in the layout', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   assert.equal(await page.locator('#shading option[value="materials"]').count(), 0);
   const bytes = await io.writeBinary(document(textured('four', fourColors())));
   await dropAndWait(page, 'square.glb', bytes);
@@ -140,7 +138,7 @@ test('the texture of a GLB is on the mesh and in its new place in the layout', a
 
 test('who prefers charts gets them for the next mesh, too', async (t) => {
   const bytes = await io.writeBinary(document(textured('four', fourColors())));
-  const page = await openPage(t, { ...STILL, open: ['square.glb', bytes] });
+  const page = await openPage(t, { open: ['square.glb', bytes] });
   await withMaterials(page);
   await page.selectOption('#shading', 'plain');
   await dropAndWait(page, 'other.glb', bytes);
@@ -151,14 +149,14 @@ test('who prefers charts gets them for the next mesh, too', async (t) => {
 });
 
 test('a glTF and its image are dropped together', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const { json, resources } = await io.writeJSON(document(textured('four', fourColors())));
   await dropAndWait(page, 'square.gltf', JSON.stringify(json), resources);
   await assertFourColors(page);
 });
 
 test('materials have textures of their own, of any size, or a colour', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const bytes = await io.writeBinary(
     document(
       textured('red', oneColor(RED, 5)),
@@ -179,7 +177,7 @@ test('materials have textures of their own, of any size, or a colour', async (t)
 });
 
 test('what is cut out of a picture is not seen', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const half = madePng(16, 16, (x) => [...(x < 8 ? RED : GREEN), x < 8 ? 255 : 100]);
   const masked = (document, material) => {
     textured('half', half)(document, material);
@@ -208,7 +206,7 @@ function paintedObj() {
 }
 
 test('an OBJ of polygons has the materials of its MTL, once all files are there', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const mtl = 'newmtl lower\nKd 0 0 0\nmap_Kd textures\\Four.png\nnewmtl upper\nmap_Kd four.png\n';
   const files = { 'square.mtl': mtl, 'four.png': fourColors() };
   await dropAndWait(page, 'square.obj', paintedObj(), files);
@@ -227,7 +225,7 @@ test('an OBJ of polygons has the materials of its MTL, once all files are there'
 });
 
 test('an image that no browser decodes is named', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const bytes = await io.writeBinary(document(textured('torn', Buffer.from('no picture'))));
   await dropAndWait(page, 'torn.glb', bytes);
   await page.waitForFunction(() => document.querySelector('#notice').textContent !== '');
@@ -239,7 +237,7 @@ test('an image that no browser decodes is named', async (t) => {
 });
 
 test('colours of the vertices of a PLY are shown', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const { positions, quads } = square();
   const ply = [
     'ply\nformat ascii 1.0',
@@ -260,7 +258,7 @@ test('colours of the vertices of a PLY are shown', async (t) => {
 
 test('on a phone, a mesh with a texture leaves all buttons within reach', async (t) => {
   const bytes = await io.writeBinary(document(textured('four', fourColors())));
-  const page = await openPage(t, { ...STILL, viewport: { width: 390, height: 844 } });
+  const page = await openPage(t, { viewport: { width: 390, height: 844 } });
   await dropAndWait(page, 'square.glb', bytes);
   await assertFourColors(page);
   for (const id of ['#texcoord', '#export', '#help', '#theme', '#shading']) {
@@ -271,7 +269,6 @@ test('on a phone, a mesh with a texture leaves all buttons within reach', async 
 
 test('the next mesh frees all textures', async (t) => {
   const page = await openPage(t, {
-    ...STILL,
     prepare: prepareCounting,
     open: ['cube.obj', CUBE],
   });
@@ -290,7 +287,7 @@ test('the next mesh frees all textures', async (t) => {
 
 test('textures come back with a lost context', async (t) => {
   const bytes = await io.writeBinary(document(textured('four', fourColors())));
-  const page = await openPage(t, { ...STILL, own: true, expected: /WebGL|Context/ });
+  const page = await openPage(t, { own: true, expected: /WebGL|Context/ });
   await dropAndWait(page, 'square.glb', bytes);
   await withMaterials(page);
   await loseContexts(page, [MESH, LAYOUT]);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CUBE } from '../support/small-meshes.mjs';
-import { dropAndWait, openPage, openSample, sampleNames } from './page.mjs';
+import { drawn, dropAndWait, openPage, openSample, sampleNames, settled } from './page.mjs';
 
 const CANVAS = '#mesh-canvas';
 
@@ -38,11 +38,8 @@ function assertFits({ left, right, top, bottom }, what) {
   assert.ok(Math.max(right - left, bottom - top) > 0.7, `${what} fills the pane`);
 }
 
-/** Without damping, a picture stays the same once it is drawn. */
-const STILL = { reducedMotion: 'reduce' };
-
 test('every sample fills its pane; the head stands upright', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const names = await sampleNames(page);
   for (const name of names) {
     await openSample(page, name);
@@ -56,7 +53,7 @@ test('every sample fills its pane; the head stands upright', async (t) => {
 });
 
 test('keys and a button look from front, right, top and the other side; Reset leads back', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   // 1 wide, 2 high, 6 deep.
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1} ${i & 2} ${1.5 * (i & 4)}`);
   const faces = CUBE.split('\n').filter((line) => line.startsWith('f'));
@@ -108,7 +105,10 @@ function prepareCounting() {
 }
 
 test('a picture is drawn once for each change, and not at all while nothing changes', async (t) => {
-  const page = await openPage(t, { prepare: (page) => page.addInitScript(prepareCounting) });
+  const page = await openPage(t, {
+    prepare: (page) => page.addInitScript(prepareCounting),
+    reducedMotion: 'no-preference',
+  });
   // Waits for several frames in a row in which nothing is drawn.
   const still = () =>
     page.evaluate(async () => {
@@ -136,10 +136,26 @@ test('a picture is drawn once for each change, and not at all while nothing chan
     await page.mouse.move(x + off, y + off);
     assert.deepEqual(await still(), before);
   }
+  // A drag glides to a stop, unless that is not wanted.
+  const afterDrag = async () => {
+    await page.mouse.move(x + 200, y + 200);
+    await page.mouse.down();
+    await page.mouse.move(x + 240, y + 210);
+    await drawn(page);
+    await page.mouse.up();
+    const { 'mesh-canvas': released } = await page.evaluate(() => ({ ...globalThis.pictures }));
+    return (await still())['mesh-canvas'] - released;
+  };
+  assert.ok((await afterDrag()) > 3);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.reload();
+  await settled(page);
+  await still();
+  assert.ok((await afterDrag()) <= 1);
 });
 
 test('a mesh far from the origin, with a stray vertex, fills its pane', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const corners = [
     [0, 0],
     [1, 0],
@@ -153,7 +169,7 @@ test('a mesh far from the origin, with a stray vertex, fills its pane', async (t
 });
 
 test('the mesh stays fitted in another size of the window, until it is turned', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t);
   const fitted = await page.locator(CANVAS).screenshot();
   await page.setViewportSize({ width: 390, height: 844 });
   assertFits(await drawnBox(page), 'the mesh on a phone');

@@ -1,7 +1,10 @@
 // The built page in a real browser, for the tests in this folder.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after } from 'node:test';
 import { isOfRest, takePage } from './pages.mjs';
 
 /**
@@ -162,10 +165,21 @@ export function metrics(page) {
   );
 }
 
+const folder = mkdtempSync(join(tmpdir(), 'abflat-downloads-'));
+let downloads = 0;
+after(() => rmSync(folder, { recursive: true }));
+
+/** A download as a file of this test: a browser that others use, too, does not tell its own. */
+export async function pathOf(download) {
+  const path = join(folder, String(downloads++));
+  await download.saveAs(path);
+  return path;
+}
+
 /** Exports with the button; returns the suggested name and the path of the file. */
 export async function exportMesh(page) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export')]);
-  return { name: download.suggestedFilename(), path: await download.path() };
+  return { name: download.suggestedFilename(), path: await pathOf(download) };
 }
 
 /** Chooses a format of export; returns the file. */
@@ -174,5 +188,5 @@ export async function exportAs(page, format) {
   const item = page.getByRole('menuitemradio', { name: format.toUpperCase() });
   const [download] = await Promise.all([page.waitForEvent('download'), item.click()]);
   assert.equal(await textOf(page, '#alert'), '');
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  return { name: download.suggestedFilename(), bytes: readFileSync(await pathOf(download)) };
 }

@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after } from 'node:test';
+import { chromium } from 'playwright-core';
 import { ROOT } from '../../scripts/lib/paths.mjs';
 import { newContext, serveFolder, startBrowser } from '../../web/scripts/browser.mjs';
 
@@ -14,7 +15,8 @@ const PATIENCE = 120_000;
 const USUAL = {
   viewport: { width: 1280, height: 720 },
   colorScheme: 'dark',
-  reducedMotion: 'no-preference',
+  // A view that glides to a stop draws for a second after each drag.
+  reducedMotion: 'reduce',
 };
 
 /** Browsers that the tests of a file share, one with WebGL and one without. */
@@ -28,9 +30,14 @@ after(async () => {
   for (const browser of browsers.values()) await browser.close();
 });
 
+/** One that the files of this folder use one after the other, if there is one. */
+const openBrowser = (webgl) =>
+  webgl && process.env.ABFLAT_BROWSER
+    ? chromium.connect(process.env.ABFLAT_BROWSER)
+    : startBrowser({ webgl, antialias: false });
+
 async function sharedBrowser(webgl) {
-  if (!browsers.get(webgl)?.isConnected())
-    browsers.set(webgl, await startBrowser({ webgl, antialias: false }));
+  if (!browsers.get(webgl)?.isConnected()) browsers.set(webgl, await openBrowser(webgl));
   return browsers.get(webgl);
 }
 

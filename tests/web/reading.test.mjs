@@ -12,6 +12,7 @@ import {
   exportMesh,
   metrics,
   openPage,
+  pathOf,
   sampleOf,
   settled,
   textOf,
@@ -158,7 +159,7 @@ test('what is exported during a run is what is on screen', async (t) => {
       document.querySelector('#export').click();
     }),
   ]);
-  assert.equal(readFileSync(await download.path(), 'utf8'), before);
+  assert.equal(readFileSync(await pathOf(download), 'utf8'), before);
   await settled(page);
   assert.notEqual(readFileSync((await exportMesh(page)).path, 'utf8'), before);
 });

@@ -83,7 +83,7 @@ for (const [name, options] of [
   ['phone', { viewport: { width: 390, height: 844 }, hasTouch: true }],
 ])
   test(`the menu is on the screen and without faults, ${name}`, async (t) => {
-    const page = await openPage(t, { ...options, reducedMotion: 'reduce' });
+    const page = await openPage(t, { ...options });
     const { width, height } = page.viewportSize();
     await (options.hasTouch ? page.tap('#sample') : page.click('#sample'));
     await pictured(page);

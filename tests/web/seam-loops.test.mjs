@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { CUBE } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { metrics, openPage, settled, textOf } from './page.mjs';
-import { clickAt, drawn, edited, hint, pixelOf, point, pointAtLoop, STILL } from './seam-page.mjs';
+import { clickAt, drawn, edited, hint, pixelOf, point, pointAtLoop, SMALL } from './seam-page.mjs';
 
 /** n x n squares in the plane of the screen. */
 function quads(n) {
@@ -22,7 +22,7 @@ function quads(n) {
 
 const N = 5;
 const openQuads = (t, options) =>
-  openPage(t, { ...STILL, ...options, open: ['quads.obj', quads(N)] });
+  openPage(t, { ...SMALL, ...options, open: ['quads.obj', quads(N)] });
 const charts = async (page) => Number((await metrics(page)).Charts);
 const history = (page) => page.locator('#history').evaluate((list) => list.textContent);
 
@@ -111,7 +111,7 @@ test('with Join a double-click cuts nothing, with Join and Alt it does', async (
 });
 
 test('loops of triangles are cut as well', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['ball.obj', objText(sphere(8))] });
+  const page = await openPage(t, { ...SMALL, open: ['ball.obj', objText(sphere(8))] });
   const { place, text } = await pointAtLoop(page, INSIDE, [0.6, 0.6]);
   const [, count] = /a loop of (\d+) edges?$/.exec(text);
   assert.ok(Number(count) > 1);
@@ -121,7 +121,7 @@ test('loops of triangles are cut as well', async (t) => {
 });
 
 test('sharp edges are marked with one click and joined by undo', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['cube.obj', CUBE] });
+  const page = await openPage(t, { ...SMALL, open: ['cube.obj', CUBE] });
   const cuts = await charts(page);
   assert.ok(cuts < 6);
   await page.hover('#sharp-mark');
@@ -153,7 +153,7 @@ test('sharp edges are marked with one click and joined by undo', async (t) => {
 });
 
 test('the angle of sharp seams is that of sharp marks', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['cube.obj', CUBE] });
+  const page = await openPage(t, { ...SMALL, open: ['cube.obj', CUBE] });
   await page.click('#seams-sharp');
   await page.fill('#sharp-degrees', '42');
   await settled(page);

@@ -3,8 +3,8 @@
 import { textOf } from './page.mjs';
 
 export const CANVAS = '#mesh-canvas';
-/** Without damping the view stands still; a small view is drawn quickly. */
-export const STILL = { reducedMotion: 'reduce', viewport: { width: 1040, height: 620 } };
+/** A small view is drawn quickly. */
+export const SMALL = { viewport: { width: 1040, height: 620 } };
 
 const twoFrames = () =>
   new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));

@@ -5,13 +5,13 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
-import { metrics, openPage, settled, textOf } from './page.mjs';
-import { CANVAS, drawn, edited, hint, STILL } from './seam-page.mjs';
+import { metrics, openPage, pathOf, settled, textOf } from './page.mjs';
+import { CANVAS, drawn, edited, hint, SMALL } from './seam-page.mjs';
 
 const N = 6;
 const GRID = ['grid.obj', grid(N).replace(/^(v \S+ \S+) \S+$/gm, '$1 0')];
 async function openGrid(t, options) {
-  const page = await openPage(t, { ...STILL, ...options, open: GRID });
+  const page = await openPage(t, { ...SMALL, ...options, open: GRID });
   await ready(page);
   return page;
 }
@@ -77,7 +77,7 @@ async function seams(page) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#seams-save')]);
   // The views are larger without it.
   await page.click('#details-toggle');
-  const text = readFileSync(await download.path(), 'utf8');
+  const text = readFileSync(await pathOf(download), 'utf8');
   const name = (v) => `${v % (N + 1)},${Math.floor(v / (N + 1))}`;
   return text
     .split('\n')
@@ -215,7 +215,7 @@ test('with Join or Alt a stroke erases edge by edge', async (t) => {
 });
 
 test('seams that charts need are not erased', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['torus.obj', objText(torus(24, 12))] });
+  const page = await openPage(t, { ...SMALL, open: ['torus.obj', objText(torus(24, 12))] });
   await ready(page);
   await page.click('#seam-join');
   const box = await page.locator(CANVAS).boundingBox();

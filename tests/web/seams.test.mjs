@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { CUBE, CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
-import { dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+import { dropAndWait, metrics, openPage, pathOf, settled, textOf } from './page.mjs';
 import {
   CANVAS,
   click,
@@ -14,7 +14,7 @@ import {
   edited,
   hint,
   point,
-  STILL,
+  SMALL,
   vertices,
 } from './seam-page.mjs';
 
@@ -29,7 +29,7 @@ async function pointAtSeam(page, [a, b], [c, d]) {
 const charts = async (page) => Number((await metrics(page)).Charts);
 
 /** The grid in the plane of the screen, unwrapped. */
-const openGrid = (t, n, options = STILL) =>
+const openGrid = (t, n, options = SMALL) =>
   openPage(t, { ...options, open: ['grid.obj', flatGrid(n)] });
 
 const flatGrid = (n) => grid(n).replace(/^(v \S+ \S+) \S+$/gm, '$1 0');
@@ -85,7 +85,7 @@ test('two clicks cut along the shortest path, and the charts follow', async (t) 
 });
 
 /** On a first visit what edits seams comes after the first layout; here it does not come before `release` is called. */
-async function openHeld(t, options = STILL) {
+async function openHeld(t, options = SMALL) {
   let release;
   const held = new Promise((resolve) => {
     release = resolve;
@@ -112,7 +112,7 @@ test('what is done to seams before they can be edited waits for that', async (t)
   assert.doesNotMatch(await textOf(page, '#run-text'), /Cut|Saved/);
   release();
   const saved = await saving;
-  assert.match(readFileSync(await saved.path(), 'utf8'), /^\d+ \d+$/m);
+  assert.match(readFileSync(await pathOf(saved), 'utf8'), /^\d+ \d+$/m);
   await point(page, 0.5, 0.5);
   await page.waitForFunction(() =>
     /^Vertex \d+ to|^From vertex/.test(document.querySelector('#seam-hint').textContent),
@@ -122,7 +122,7 @@ test('what is done to seams before they can be edited waits for that', async (t)
 test('if what edits seams cannot be loaded, the page says so and tries again', async (t) => {
   const script = /\/assets\/solid-/;
   const page = await openPage(t, {
-    ...STILL,
+    ...SMALL,
     prepare: (page) => page.route(script, (route) => route.abort()),
     expected: /ERR_FAILED/,
   });
@@ -145,7 +145,7 @@ test('if what edits seams cannot be loaded, the page says so and tries again', a
 });
 
 test('a cut is kept and cut further where charts are stretched, and edits go on from there', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['ball.obj', objText(sphere(6))] });
+  const page = await openPage(t, { ...SMALL, open: ['ball.obj', objText(sphere(6))] });
   await page.click('#seams-auto');
   await settled(page);
   const state = () => textOf(page, '#seams-state');
@@ -229,7 +229,7 @@ test('Escape lets go, a drag turns the view, Alt does the other thing, Shift goe
 });
 
 test('seams that charts need to be disks stay, and say so', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['torus.obj', objText(torus(24, 12))] });
+  const page = await openPage(t, { ...SMALL, open: ['torus.obj', objText(torus(24, 12))] });
   await page.click('#seams-auto');
   await settled(page);
   assert.equal(await textOf(page, '#seams-state'), 'fewest possible cuts');
@@ -243,7 +243,7 @@ test('seams that charts need to be disks stay, and say so', async (t) => {
 });
 
 test('sources of seams: what the file has is offered, and they combine', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['cube.obj', CUBE] });
+  const page = await openPage(t, { ...SMALL, open: ['cube.obj', CUBE] });
   assert.ok(await page.isHidden('#seams-uv'));
   assert.ok(await page.isHidden('#seams-material'));
   await page.click('#seams-sharp');
@@ -272,7 +272,7 @@ test('sources of seams: what the file has is offered, and they combine', async (
 });
 
 test('seams are cut by keyboard and by touch', async (t) => {
-  const page = await openGrid(t, 4, { ...STILL, hasTouch: true });
+  const page = await openGrid(t, 4, { ...SMALL, hasTouch: true });
   const seen = await vertices(page);
   await page.mouse.move(0, 0);
   const box = await page.locator(CANVAS).boundingBox();
@@ -307,7 +307,7 @@ test('seams are cut by keyboard and by touch', async (t) => {
 });
 
 test('the table of charts: sorted by any column, and its charts are shown', async (t) => {
-  const page = await openPage(t, { ...STILL, open: ['ball.obj', objText(sphere(12))] });
+  const page = await openPage(t, { ...SMALL, open: ['ball.obj', objText(sphere(12))] });
   await page.click('#seams-sharp');
   await page.fill('#sharp-degrees', '9');
   await settled(page);
@@ -362,7 +362,7 @@ test('the table of charts: sorted by any column, and its charts are shown', asyn
 });
 
 test('an edit solves only the charts that it changes', async (t) => {
-  const page = await openPage(t, STILL);
+  const page = await openPage(t, SMALL);
   // Two balls: cutting one leaves the other unchanged.
   const ball = sphere(10);
   await dropAndWait(
@@ -410,7 +410,7 @@ test('seams are opened from a file and saved to one', async (t) => {
   const [saved] = await Promise.all([page.waitForEvent('download'), page.click('#seams-save')]);
   assert.equal(saved.suggestedFilename(), 'grid-seams.txt');
   assert.equal(await textOf(page, '#run-text'), 'Saved grid-seams.txt');
-  assert.equal(readFileSync(await saved.path(), 'utf8'), text);
+  assert.equal(readFileSync(await pathOf(saved), 'utf8'), text);
   await open('10 11\n0 13\n');
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
   assert.match(await textOf(page, '#alert'), /mine\.txt:2: 0-13 is not an edge of any face\./);

@@ -22,7 +22,7 @@ const MESH = objText(
 );
 const FACES = 4;
 
-const SMALL = { viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' };
+const SMALL = { viewport: { width: 900, height: 560 } };
 
 async function arrange(page, value) {
   await page.click('#selection-arrange');

@@ -194,7 +194,7 @@ test('above the limit the badge says so, and one click cuts further', async (t) 
 
 test('charts have the same colours in both pictures, other than their neighbours', async (t) => {
   for (const colorScheme of ['dark', 'light']) {
-    const page = await openPage(t, { colorScheme, reducedMotion: 'reduce' });
+    const page = await openPage(t, { colorScheme });
     const boxes = objText(
       together([0, 1, 2, 3].map((i) => [torus(16, 8), [2.6 * (i % 2), 2.6 * (i >> 1), 0]])),
     );

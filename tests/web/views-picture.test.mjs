@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { objText, sphere } from '../support/surfaces.mjs';
-import { metrics, openPage, settled, textOf } from './page.mjs';
+import { metrics, openPage, pathOf, settled, textOf } from './page.mjs';
 
 const BALL = ['a ball.obj', objText(sphere(8))];
 
@@ -13,7 +13,7 @@ async function savePicture(page, press = 'click') {
   const item = page.getByRole('menuitem', { name: 'Picture of both views' });
   const [download] = await Promise.all([page.waitForEvent('download'), item[press]()]);
   assert.equal(await textOf(page, '#alert'), '');
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  return { name: download.suggestedFilename(), bytes: readFileSync(await pathOf(download)) };
 }
 
 /** Size, and how much of each half and of the lower right corner has which colour, as hexadecimal numbers. */
@@ -51,7 +51,7 @@ const THEMES = {
 
 for (const [theme, { view, panel }] of Object.entries(THEMES))
   test(`both views are in the picture, with the legend if there is one, ${theme}`, async (t) => {
-    const page = await openPage(t, { open: BALL, colorScheme: theme, reducedMotion: 'reduce' });
+    const page = await openPage(t, { open: BALL, colorScheme: theme });
     const plain = await savePicture(page);
     assert.equal(plain.name, 'a ball-views.png');
     const sizes = await page.evaluate(() =>

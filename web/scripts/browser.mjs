@@ -39,14 +39,21 @@ export async function serveFolder(folder, headers = HEADERS) {
   };
 }
 
-/** Starts a browser with an empty profile. Without `antialias` pictures are quicker, and coarse. */
-export function startBrowser({ webgl = true, antialias = true } = {}) {
+function launching({ webgl, antialias }) {
   const executablePath = findChrome();
   if (!executablePath)
     throw new Error('There is no Chromium or Chrome; name one with CHROME_PATH.');
   const args = [...FLAGS, ...(webgl ? SOFTWARE_GL : NO_GL), ...(antialias ? [] : NO_ANTIALIAS)];
-  return chromium.launch({ executablePath, headless: true, args });
+  return { executablePath, headless: true, args };
 }
+
+/** Starts a browser with an empty profile. Without `antialias` pictures are quicker, and coarse. */
+export const startBrowser = ({ webgl = true, antialias = true } = {}) =>
+  chromium.launch(launching({ webgl, antialias }));
+
+/** The same for other processes, each of which connects to it with its `wsEndpoint()`. */
+export const serveBrowser = ({ webgl = true, antialias = true } = {}) =>
+  chromium.launchServer(launching({ webgl, antialias }));
 
 /** Pages of their own in a browser: they share no storage or cache with others. `options` are playwright's. */
 export function newContext(browser, options = {}) {
