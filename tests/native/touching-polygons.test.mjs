@@ -7,6 +7,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import {
   cutPolygon,
+  flatness,
   isThinInSpace,
   judge,
   judgeFile,
@@ -59,15 +60,6 @@ function trianglesOfOthers(faces, f) {
     const points = face.map(({ uv }) => uv);
     return i === f ? [] : cutPolygon(points).triangles.map((t) => t.map((k) => points[k]));
   });
-}
-
-/** The height of a triangle in space, relative to its longest side. */
-function flatness(corners) {
-  const edge = (a, b) => b.place.map((x, d) => x - a.place[d]);
-  const [u, v, w] = [0, 1, 2].map((k) => edge(corners[k], corners[(k + 1) % 3]));
-  const longest = Math.max(...[u, v, w].map((side) => Math.hypot(...side)));
-  const normal = [1, 2, 0].map((d, k) => u[d] * v[[2, 0, 1][k]] - u[[2, 0, 1][k]] * v[d]);
-  return Math.hypot(...normal) / longest ** 2;
 }
 
 /** How much a chart changes lengths, from the symmetric Dirichlet energy 1 + 2 e^2. */

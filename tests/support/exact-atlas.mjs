@@ -224,17 +224,23 @@ function fromGltf(model, set = 0) {
   return { faces, lowestRow: -1 };
 }
 
-/** Whether corners have no area in space, as far as doubles can tell. */
-export function isThinInSpace(corners) {
+/** Twice the area that the first three corners have in space, relative to their longest distance squared. */
+export function flatness(corners) {
   const edge = (a, b) => b.place.map((x, d) => x - a.place[d]);
   const largest = Math.max(...corners.flatMap((c) => edge(corners[0], c).map(Math.abs)));
-  if (!(largest > 0)) return true;
+  if (!(largest > 0)) return 0;
   const [u, v] = [1, 2].map((k) => edge(corners[0], corners[k]).map((x) => x / largest));
   const normal = [0, 1, 2].map(
     (d) => u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3],
   );
-  return Math.hypot(...normal) < 1e-12;
+  const longest = Math.max(
+    ...[u, v, edge({ place: u }, { place: v })].map((e) => Math.hypot(...e)),
+  );
+  return Math.hypot(...normal) / longest ** 2;
 }
+
+/** Whether corners have no area in space, as far as doubles can tell. */
+export const isThinInSpace = (corners) => flatness(corners) < 1e-12;
 
 /**
  * Judges the contents of a file, see judge. Polygons are cut along diagonals that lie inside them
