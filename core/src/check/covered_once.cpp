@@ -1,10 +1,9 @@
 #include "check/covered_once.h"
 
-#include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <set>
 
+#include "base/stable_order.h"
 #include "exact/segments.h"
 
 namespace abflat {
@@ -32,11 +31,8 @@ class CoverSweep {
   }
 
   std::optional<Pair> run() {
-    std::vector<std::uint32_t> order(next_.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-      return isBefore(a, b) || (!isBefore(b, a) && a < b);
-    });
+    const std::vector<std::uint32_t> order = stableOrder(
+        next_.size(), [this](std::uint32_t a, std::uint32_t b) { return isBefore(a, b); });
     where_.resize(order.size());
     for (std::size_t i = 0; i < order.size() && !wrong_; ++i) {
       if (i > 0 && !isBefore(order[i - 1], order[i])) return Pair{order[i - 1], order[i]};

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <set>
 #include <utility>
 
+#include "base/stable_order.h"
 #include "exact/orientation.h"
 #include "exact/segments.h"
 
@@ -25,10 +25,8 @@ class CrossingSweep {
         place_(n_, active_.end()) {}
 
   bool isSimple() {
-    std::vector<std::uint32_t> order(n_);
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return isBefore(a, b); });
+    const std::vector<std::uint32_t> order =
+        stableOrder(n_, [&](std::uint32_t a, std::uint32_t b) { return isBefore(a, b); });
     for (std::uint32_t k = 1; k < n_; ++k)
       if (!isBefore(order[k - 1], order[k])) return false;
     return std::all_of(order.begin(), order.end(), [&](std::uint32_t v) { return pass(v); });

@@ -1,7 +1,8 @@
 #include "layout/diameter.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "base/stable_order.h"
 
 namespace abflat {
 namespace {
@@ -17,11 +18,8 @@ double squaredDistance(const Point2& a, const Point2& b) {
 }  // namespace
 
 std::vector<std::uint32_t> convexHull(const std::vector<Point2>& points) {
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return points[a] != points[b] ? points[a] < points[b] : a < b;
-  });
+  std::vector<std::uint32_t> order = stableOrder(
+      points.size(), [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
   order.erase(std::unique(order.begin(), order.end(),
                           [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; }),
               order.end());

@@ -1,7 +1,8 @@
 #include "mesh/arms.h"
 
-#include <algorithm>
 #include <array>
+
+#include "base/stable_order.h"
 
 namespace abflat {
 
@@ -16,13 +17,13 @@ std::vector<Arm> armsAround(const std::vector<Point2>& points, const std::uint32
   }
   for (const Arm& arm : arms)
     if (arm.end == clockwise.at) return {};
-  std::sort(arms.begin(), arms.end(), clockwise);
+  sortStably(arms, clockwise);
   for (std::size_t i = 0, last = 0; i < arms.size(); i = last) {
     std::array<std::uint32_t, 2> turns{0, 0};
     for (; last < arms.size() && clockwise.compare(arms[i].end, arms[last].end) == 0; ++last)
       arms[last].turn = turns[arms[last].isOut]++;
   }
-  std::sort(arms.begin(), arms.end(), clockwise);
+  sortStably(arms, clockwise);
   return arms;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/stable_order.h"
+
 namespace abflat {
 namespace {
 
@@ -68,7 +70,7 @@ void matchDiagonals(const Triangulation& t, CornerTable& table) {
       const PolygonCorner from = t.corner[h], to = t.corner[nextCorner(h)];
       if (t.isDiagonal[h]) ofFace.push_back({std::min(from, to), std::max(from, to), h});
     }
-    std::sort(ofFace.begin(), ofFace.end(), [](const Diagonal& a, const Diagonal& b) {
+    sortStably(ofFace, [](const Diagonal& a, const Diagonal& b) {
       return a.low != b.low ? a.low < b.low : a.high < b.high;
     });
     for (std::size_t i = 0; i + 1 < ofFace.size(); i += 2) {

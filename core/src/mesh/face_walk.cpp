@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "base/stable_order.h"
 #include "mesh/uncross.h"
 
 namespace abflat {
@@ -33,11 +34,8 @@ std::vector<std::uint32_t> placesOf(const CornerLoop& corners,
 
 /// Per corner, whether an earlier one is at the same place.
 std::vector<std::uint8_t> revisits(const std::vector<std::uint32_t>& places) {
-  CornerLoop order(places.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return places[a] != places[b] ? places[a] < places[b] : a < b;
-  });
+  const CornerLoop order = stableOrder(
+      places.size(), [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
   std::vector<std::uint8_t> out(places.size(), 0);
   for (std::size_t i = 1; i < order.size(); ++i)
     out[order[i]] = places[order[i]] == places[order[i - 1]];

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/stable_order.h"
+
 namespace abflat {
 namespace {
 
@@ -51,7 +53,7 @@ class CornersAround {
       arms.push_back({v, mesh_.faceVertices[around_[i].before], false, i});
       arms.push_back({v, mesh_.faceVertices[around_[i].after], true, i});
     }
-    std::sort(arms.begin(), arms.end(), [](const Arm& a, const Arm& b) {
+    sortStably(arms, [](const Arm& a, const Arm& b) {
       if (a.from != b.from) return a.from < b.from;
       if (a.to != b.to) return a.to < b.to;
       return a.isOut != b.isOut ? a.isOut : a.index < b.index;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/stable_order.h"
 #include "mesh/corner_table.h"
 #include "mesh/face_walk.h"
 #include "mesh/open_corners.h"
@@ -81,7 +82,7 @@ void separateLayers(const Pulse& pulse, WeldedMesh& out) {
     for (std::uint32_t c = out.mesh.faceOffsets[f]; c < out.mesh.faceOffsets[f + 1]; ++c)
       copies.push_back({out.mesh.faceVertices[c], repetitions.layer(f), c});
   }
-  std::sort(copies.begin(), copies.end(), [](const Copy& a, const Copy& b) {
+  sortStably(copies, [](const Copy& a, const Copy& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex
            : a.layer != b.layer ? a.layer < b.layer
                                 : a.corner < b.corner;

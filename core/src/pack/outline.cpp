@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/stable_order.h"
+
 namespace abflat {
 namespace {
 
@@ -44,8 +46,7 @@ std::vector<Edge> boundaryEdges(const PackShape& shape) {
       sides.push_back({{std::min(a, b), std::max(a, b)}, a < b ? 1 : -1});
     }
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.edge < b.edge; });
+  sortStably(sides, [](const Side& a, const Side& b) { return a.edge < b.edge; });
   std::vector<Edge> out;
   for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
     int sum = 0;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/stable_order.h"
+
 namespace abflat {
 namespace {
 
@@ -58,7 +60,7 @@ std::vector<std::uint32_t> ordered(const std::vector<PackItem>& items, Key key, 
     size.push_back(std::round(share * kDigits));
     order.push_back(i);
   }
-  std::sort(order.begin(), order.end(), [&size](std::uint32_t a, std::uint32_t b) {
+  sortStably(order, [&size](std::uint32_t a, std::uint32_t b) {
     return size[a] != size[b] ? size[a] > size[b] : a < b;
   });
   return order;

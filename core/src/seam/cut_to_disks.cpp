@@ -1,8 +1,7 @@
 #include "seam/cut_to_disks.h"
 
-#include <algorithm>
-
 #include "base/disjoint_sets.h"
+#include "base/stable_order.h"
 #include "seam/path_forest.h"
 
 namespace abflat {
@@ -24,7 +23,7 @@ std::vector<SurfaceCorner> neededEdges(const CutPaths& paths) {
     if (s.charts[s.chartOf(h)].isDisk() || paths.forest.isTreeEdge(s, h)) continue;
     loops.push_back({paths.costThrough(h), h});
   }
-  std::sort(loops.begin(), loops.end(), [](const NeededLoop& a, const NeededLoop& b) {
+  sortStably(loops, [](const NeededLoop& a, const NeededLoop& b) {
     return a.cost != b.cost ? a.cost > b.cost : a.h < b.h;
   });
   DisjointSets triangles(paths.mesh.triangles().size());

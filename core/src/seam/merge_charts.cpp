@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/stable_order.h"
 #include "seam/extract_charts.h"
 #include "seam/log_scale.h"
 #include "seam/prediction.h"
@@ -194,7 +195,7 @@ class Merger {
     ChartOutlines outlines(s.charts.size());
     for (const CutChartId c : s.charts.ids())
       if (s.charts[c].isDisk()) addRuns(s, c, runs);
-    std::sort(runs.begin(), runs.end(), [](const SharedRun& x, const SharedRun& y) {
+    sortStably(runs, [](const SharedRun& x, const SharedRun& y) {
       return x.length != y.length ? x.length > y.length : x.edges.front() < y.edges.front();
     });
     if (isHinge_) runs = hingesOf(s, runs);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stable_order.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -65,7 +66,7 @@ std::vector<OpenVertex> slitEnds(const CutPaths& paths, const Prediction& predic
     if (isPeak(s, own, v)) peaks.push_back({c, v, own[v], prediction.shift(c, u[s.meshVertex[v]])});
   }
   addFarthest(s, own, prediction, u, maxStretch, peaks);
-  std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) {
+  sortStably(peaks, [](const Peak& a, const Peak& b) {
     if (a.chart != b.chart) return a.chart < b.chart;
     return a.stretch != b.stretch ? a.stretch > b.stretch : a.vertex < b.vertex;
   });

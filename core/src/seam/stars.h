@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/stable_order.h"
 #include "mesh/triangle_geometry.h"
 #include "seam/seam_tips.h"
 #include "seam/seam_work.h"
@@ -24,7 +25,7 @@ class Stars {
       hub_[v] = static_cast<std::uint32_t>(hubs_.size());
       std::vector<Spoke> spokes;
       forEach(v, [&](SurfaceCorner h) { spokes.push_back({edgeLength(h), spokes.size(), h}); });
-      std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+      sortStably(spokes, [](const Spoke& a, const Spoke& b) {
         return a.length != b.length ? a.length < b.length : a.order < b.order;
       });
       hubs_.push_back(std::move(spokes));
