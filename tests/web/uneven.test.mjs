@@ -32,7 +32,7 @@ async function cut(page, text) {
   });
   const edges = text.split('\n').length;
   await page.waitForFunction(
-    (edges) => document.querySelector('#seams-state').textContent.startsWith(`edited: ${edges} `),
+    (edges) => document.querySelector('#seams-state').textContent.startsWith(`seams edited: ${edges} `),
     edges,
   );
   await settled(page);

@@ -195,7 +195,7 @@ export const MESH_TABS = {
     `${title}${isUnsaved ? ', edits not exported' : ''} (Delete closes it)`,
   unsaved: ', edits not exported',
   close: (title: string) => `Close ${title} without exporting it?`,
-  whatIsLost: 'Its edits are in no file yet, and closing it discards them.',
+  whatIsLost: 'Its edits have not been exported. Closing it discards them.',
   closeIt: 'Close without exporting',
 };
 
@@ -842,8 +842,8 @@ export const SEAM_SOURCES = {
   sharpRange: 'above 0 and at most 180 degrees',
   degrees: (degrees: number) => `${degrees}°`,
   edited: (edges: number, isCutFurther: boolean) =>
-    `edited: ${counted(edges, 'edge')}${isCutFurther ? ', cut further' : ''}`,
-  none: 'fewest possible cuts',
+    `seams edited: ${counted(edges, 'edge')}${isCutFurther ? ', cut further' : ''}`,
+  none: 'fewest possible seams',
 };
 
 /** Seams that are edited. */
