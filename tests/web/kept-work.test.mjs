@@ -40,7 +40,8 @@ async function cut(page, edges) {
   });
   const count = edges.trim().split('\n').length;
   await page.waitForFunction(
-    (count) => document.querySelector('#seams-state').textContent.startsWith(`seams edited: ${count} `),
+    (count) =>
+      document.querySelector('#seams-state').textContent.startsWith(`seams edited: ${count} `),
     count,
   );
   await settled(page);

@@ -32,7 +32,8 @@ async function cut(page, text) {
   });
   const edges = text.split('\n').length;
   await page.waitForFunction(
-    (edges) => document.querySelector('#seams-state').textContent.startsWith(`seams edited: ${edges} `),
+    (edges) =>
+      document.querySelector('#seams-state').textContent.startsWith(`seams edited: ${edges} `),
     edges,
   );
   await settled(page);
@@ -74,7 +75,7 @@ test('a chart that found too little room is said to be uneven, and one click men
   assert.ok(high > 1.2 * low, `${low} to ${high}`);
   await isMeasured(page);
   assert.equal(await textOf(page, '#badge'), 'Uneven');
-  const [, least, most] = /^Charts have ([\d.]+) to ([\d.]+) texels per unit/.exec(
+  const [, least, most] = /^Texel density ([\d.]+) to ([\d.]+):/.exec(
     await textOf(page, '#reason'),
   );
   assert.ok(Math.abs(least / low - 1) < 0.01 && Math.abs(most / high - 1) < 0.01);

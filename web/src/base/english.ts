@@ -424,13 +424,13 @@ export const VERDICT = {
   noOverlaps: 'No flipped triangles, no overlaps',
   stacked: (charts: number) => `${counted(charts, 'chart')} stacked, no other overlaps`,
   uneven: (least: number, most: number) =>
-    `Charts have ${measure(least)} to ${measure(most)} texels per unit: repack to even them out`,
+    `Texel density ${measure(least)} to ${measure(most)}: repack to even out`,
   lengthsChange: (share: number) =>
     `Lengths change by ${count(100 * share)}\u202f% on average: seams would help`,
   stretched: (most: string, limit: number, charts: number, all: number) => {
     const upTo = charts > 1 ? 'up to ' : '';
     const where = all > 1 ? ` in ${count(charts)} of ${count(all)} charts` : '';
-    return `Stretch ${upTo}${most}${where}; the limit is ${limit}`;
+    return `Stretch ${upTo}${most}${where}; limit ${limit}`;
   },
   outside: (charts: number) =>
     `${counted(charts, 'chart')} outside ${charts === 1 ? 'its tile' : 'their tiles'}`,
@@ -742,6 +742,7 @@ export const RUN = {
   but: (badge: string) => `, ${badge.toLowerCase()}`,
   ownBounds: (bounds: number) => `; ${counted(bounds, 'own bound')}`,
   repacked: '; repacked, because there was too little room',
+  unstacked: (charts: number) => `; ${counted(charts, 'chart')} no longer stacked`,
   kept: 'kept',
   locked: 'locked',
   keptAsInFile: 'as in the file',
