@@ -537,7 +537,7 @@ export const ATLAS_NOTES = {
   conflicts: (n: number, places: string) =>
     `${counted(n, 'edge lies', 'edges lie')} between faces of opposite orientation and ${n === 1 ? 'became a seam' : 'became seams'}: ${places}`,
   noArea: (n: number) =>
-    `${counted(n, 'triangle has', 'triangles have')} no area and were given artificial angles`,
+    `${counted(n, 'triangle has', 'triangles have')} no area and ${n === 1 ? 'was' : 'were'} given artificial angles`,
   faces: (n: number, names: string) => `${n === 1 ? 'face' : 'faces'} ${names}`,
   edges: (n: number, names: string) => `${n === 1 ? 'edge' : 'edges'} ${names}`,
   andMore: (names: string, more: number) => `${names} and ${count(more)} more`,
@@ -789,7 +789,7 @@ export const SHOWN = {
 /** Why a mesh cannot be read. */
 export const READING = {
   noMesh: 'Open a mesh first.',
-  empty: (name: string) => `${name} is empty.`,
+  empty: (name: string) => `${name} is empty. Export or download it again.`,
   notSupported: (name: string) => `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`,
   /** A file of a 3D program. */
   scene: (name: string) =>

@@ -70,6 +70,7 @@ export class SeamTools {
 
   setHint(text: string): void {
     this.hint.textContent = text;
+    this.hint.title = text;
     this.hint.hidden = text === '';
   }
 
