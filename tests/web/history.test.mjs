@@ -179,6 +179,7 @@ test('an edit of seams moves no chart that it leaves as it is', async (t) => {
   // All are packed anew only when asked.
   await page.click('#pack-again');
   await settled(page);
+  assert.doesNotMatch(await textOf(page, '#run-text'), /kept/);
   const packed = cornersOf(await exported(page));
   assert.ok(packed.filter((corners, f) => corners === before[f]).length < stays);
   await page.click('#undo');

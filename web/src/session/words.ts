@@ -70,8 +70,8 @@ export const isOnlyPlaced = ({ mode, settings, result }: Outcome): boolean =>
   mode === 'unwrap' && 'placed' in settings && result.report.charts.every(({ fixed }) => fixed);
 
 /**
- * For a disk: the vertices with a bound of their own. For an edited atlas: the charts that did not change, those that were to stay
- * where they are, and those that have lost their stack.
+ * For a disk: the vertices with a bound of their own. For an edited atlas: the charts that the edit leaves as and where they were, those
+ * that were to stay, and those that have lost their stack.
  */
 export function kept(outcome: Outcome): string {
   if (outcome.mode === 'flatten') {
@@ -85,7 +85,7 @@ export function kept(outcome: Outcome): string {
 function keptCharts(outcome: Unwrapped): string {
   if (outcome.isRepacked) return RUN.repacked;
   const { charts } = outcome.result.report;
-  const known = charts.filter(({ solver }) => solver === 'known').length;
+  const known = charts.filter(({ solver, fixed }) => solver === 'known' && fixed).length;
   const fixed = charts.filter(({ solver }) => solver === 'given').length;
   const fixedAs = outcome.settings.fixedFaces ? RUN.keptAsInFile : RUN.locked;
   if (known > 0 && fixed > 0) return RUN.keptAndFixed(known, fixed, fixedAs);
