@@ -19,6 +19,8 @@ interface Watch {
 
 type Input = Pick<Opened, 'source' | 'input' | 'mesh' | 'gltf'>;
 
+type Packed = Pick<Unwrapped, 'result' | 'stacks' | 'isRepacked'>;
+
 type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces' | 'seams' | 'seamEdges'>;
 
 /**
@@ -87,10 +89,7 @@ export async function layOut(
     });
   const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
   const known = fromEarlier(settings, last);
-  const made = ({
-    stacks,
-    ...rest
-  }: Pick<Unwrapped, 'result' | 'stacks' | 'isRepacked'>): Outcome => {
+  const made = ({ stacks, ...rest }: Packed): Outcome => {
     const unstacked = stackedCharts(last?.stacks) - stackedCharts(stacks);
     return { mode, source, mesh, gltf, settings, ...rest, stacks, unstacked };
   };

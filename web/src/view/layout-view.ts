@@ -131,10 +131,10 @@ export class LayoutView {
   /** Shows no layout, until there is another one. */
   clear(): void {
     this.surface.stop();
+    this.grid.setResolution(null);
     if (!this.scene.visible) return;
     this.scene.visible = false;
     this.labels.show(0);
-    this.grid.setResolution(null);
     this.stage.invalidate();
   }
 
