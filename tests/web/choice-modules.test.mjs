@@ -45,12 +45,12 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   const stretched = verdictOf(atlas(1.04, 'none', [chart(1.83), chart(1.2), chart(1)]));
   assert.deepEqual(stretched, {
     badge: 'Stretched',
-    reason: 'Stretch up to 1.83 in 2 of 3 charts; the limit is 1.04',
+    reason: 'Stretch up to 1.83 in 2 of 3 charts; limit 1.04',
     remedy: 'cut',
   });
   assert.equal(
     verdictOf(atlas(1.04, 'material', [chart(1.0402)])).reason,
-    'Stretch 1.0402; the limit is 1.04',
+    'Stretch 1.0402; limit 1.04',
   );
   // Automatic seams have already done what they can.
   assert.equal(verdictOf(atlas(1.04, 'auto,uv', [chart(2)])).remedy, null);

@@ -84,8 +84,13 @@ test('a mesh that cannot be laid out is shown without the layout of the one befo
 });
 
 test('a mesh whose unwrapping is cancelled is shown without the layout of the one before', async (t) => {
-  const page = await openPage(t, { open: ['waves.obj', grid(4)] });
+  const viewport = { width: 1440, height: 900 };
+  const page = await openPage(t, { viewport, open: ['waves.obj', grid(4)] });
   assert.ok(!(await isEmpty(page)));
+  assert.match(await textOf(page, '#grid-info'), /^grid \d/);
+  const sizes = () =>
+    page.locator('canvas').evaluateAll((all) => all.map((canvas) => canvas.clientHeight));
+  const before = await sizes();
   await page.evaluate(() => {
     const source = document.querySelector('#source');
     new MutationObserver(() => document.querySelector('#cancel').click()).observe(source, {
@@ -95,6 +100,9 @@ test('a mesh whose unwrapping is cancelled is shown without the layout of the on
   await dropAndWait(page, 'other.obj', grid(40));
   assert.equal(await textOf(page, '#run-text'), 'Cancelled');
   await assertNoLayout(page);
+  assert.equal(await textOf(page, '#grid-info'), '');
+  assert.deepEqual(await sizes(), before, 'the views stay as large');
+  for (const id of ['seam-cut', 'sharp-mark']) assert.ok(await page.isDisabled(`#${id}`), id);
   await page.click('#again');
   await settled(page);
   assert.equal(await textOf(page, '#badge'), 'Valid');

@@ -267,7 +267,7 @@ test('what cannot be read is said in a sentence with its name', async (t) => {
       (await io.writeBinary(scene(1))).slice(0, 300),
       /e\.glb is truncated: it has only 300 of [\d,]+ b/,
     ],
-    ['empty.glb', '', /^empty\.glb is empty\.$/],
+    ['empty.glb', '', /^empty\.glb is empty\. Export/],
     [
       'words.glb',
       'nonsense',

@@ -127,7 +127,7 @@ test('a lock, the kind of layout and t are undone as well', async (t) => {
   assert.equal(await pressed('#t-auto'), 'true');
   await undo();
   assert.equal(await pressed('#mode-unwrap'), 'true');
-  assert.ok(await page.isVisible('#seam-tools'), 'seams can be edited again');
+  assert.ok(await page.isEnabled('#seam-cut'), 'seams can be edited again');
   assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 1);
   await undo();
   assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 0);
@@ -179,6 +179,7 @@ test('an edit of seams moves no chart that it leaves as it is', async (t) => {
   // All are packed anew only when asked.
   await page.click('#pack-again');
   await settled(page);
+  assert.doesNotMatch(await textOf(page, '#run-text'), /kept/);
   const packed = cornersOf(await exported(page));
   assert.ok(packed.filter((corners, f) => corners === before[f]).length < stays);
   await page.click('#undo');

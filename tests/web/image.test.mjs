@@ -8,6 +8,7 @@ import { BLUE, fourColors, GREEN, oneColor, RED, YELLOW } from '../support/paint
 import { CUBE, grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import { countTextures, loseContexts, prepareCounting } from './graphics.mjs';
+import { pixelOf } from './layout.mjs';
 import { loadModule } from './modules.mjs';
 import {
   drawn,
@@ -98,22 +99,23 @@ const mostNames = ['blue', 'green', 'red', 'yellow'];
 /** The colour at a point of the layout, in fractions of the unit square. */
 async function colorAt(page, u, v) {
   const bytes = await screenshot(page, LAYOUT);
-  const isAtlas = (await page.getAttribute('#mode-unwrap', 'aria-pressed')) === 'true';
+  const box = await page.locator(LAYOUT).boundingBox();
+  const [x, y] = await pixelOf(page, [u, v]);
   return page.evaluate(
-    async ({ text, u, v, isAtlas }) => {
+    async ({ text, across, down }) => {
       const raw = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
       const image = await createImageBitmap(new Blob([raw]));
       const { width, height } = image;
       const pen = new OffscreenCanvas(width, height).getContext('2d');
       pen.drawImage(image, 0, 0);
-      // The square is fitted in its pane.
-      const margin = Math.min(28, width / 14, height / 14);
-      const side = Math.min(width, height) - 2 * margin;
-      const middle = height / 2 + (isAtlas ? (5 / 7) * margin : 0);
-      const [x, y] = [width / 2 + (u - 0.5) * side, middle - (v - 0.5) * side];
-      return [...pen.getImageData(Math.floor(x), Math.floor(y), 1, 1).data].slice(0, 3);
+      const [x, y] = [Math.floor(across * width), Math.floor(down * height)];
+      return [...pen.getImageData(x, y, 1, 1).data].slice(0, 3);
     },
-    { text: bytes.toString('base64'), u, v, isAtlas },
+    {
+      text: bytes.toString('base64'),
+      across: (x - box.x) / box.width,
+      down: (y - box.y) / box.height,
+    },
   );
 }
 

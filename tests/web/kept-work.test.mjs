@@ -40,7 +40,8 @@ async function cut(page, edges) {
   });
   const count = edges.trim().split('\n').length;
   await page.waitForFunction(
-    (count) => document.querySelector('#seams-state').textContent.startsWith(`edited: ${count} `),
+    (count) =>
+      document.querySelector('#seams-state').textContent.startsWith(`seams edited: ${count} `),
     count,
   );
   await settled(page);
@@ -66,7 +67,7 @@ test('a mesh with work by hand stays open in a tab, and is shown again as it was
   await tab(page, 'both.obj').click();
   await shows(page, 'both.obj');
   assert.equal(await textOf(page, '#run-text'), 'both.obj is as you left it');
-  assert.match(await textOf(page, '#seams-state'), /^edited: 2 edges/);
+  assert.match(await textOf(page, '#seams-state'), /^seams edited: 2 edges/);
   assert.equal(await page.inputValue('#padding'), '5');
   assert.deepEqual(await steps(page), before.steps);
   assert.ok(before.bytes.equals(await bytes(page)), 'the same file');

@@ -13,16 +13,14 @@ export async function atlas(page) {
   return { ofFace, uv: obj.faces.map((face) => face.map(([, t]) => obj.texcoords[t])) };
 }
 
-/** Where the layout shows a point of the unit square, once it is fitted: a little below the middle. */
+/** Where the layout shows a point of the unit square, once it is fitted: that of an atlas is a little below the middle. */
 export async function pixelOf(page, [u, v]) {
   const { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
+  const isAtlas = (await page.getAttribute('body', 'data-mode')) === 'unwrap';
   const margin = Math.min(28, width / 14, height / 14);
   const side = Math.min(width - 2 * margin, height - 2 * margin);
-  return [
-    x + width / 2 + (u - 0.5) * side,
-    y + height / 2 + (5 / 7) * margin - (v - 0.5) * side,
-    side,
-  ];
+  const lower = isAtlas ? (5 / 7) * margin : 0;
+  return [x + width / 2 + (u - 0.5) * side, y + height / 2 + lower - (v - 0.5) * side, side];
 }
 
 export const middleOf = (corners) =>

@@ -238,7 +238,23 @@ for (const [name, width, height] of [
       const named = await page.getByRole(role, { name: /\w/ }).all();
       assert.equal(named.length, all.length, `each ${role} has a name`);
     }
+    if (width < 1000) await useByFinger(page);
   });
+}
+
+/** Further options, which are open, are used and closed by taps. */
+async function useByFinger(page) {
+  const controls = page.locator('#more :is(button, select, input):visible');
+  for (const control of await controls.all()) {
+    const { width, height } = await control.boundingBox();
+    assert.ok(width >= 44 && height >= 44, `${await control.getAttribute('id')} fits a finger`);
+  }
+  await page.tap('#more-rotate');
+  await settled(page);
+  assert.equal(await page.getAttribute('#more-rotate', 'aria-pressed'), 'false');
+  assert.equal(await textOf(page, '#more-state'), 'no rotation');
+  await page.tap('#more-toggle');
+  assert.ok(await page.isHidden('#more'));
 }
 
 test('options are named only where they are not as usual; tiles need a density', async () => {

@@ -91,7 +91,7 @@ test('a double-tap cuts the loop', async (t) => {
   await page.touchscreen.tap(x, y);
   await page.touchscreen.tap(x + 3, y + 2);
   await page.waitForFunction(() =>
-    /^edited/.test(document.querySelector('#seams-state').innerText),
+    /^seams edited/.test(document.querySelector('#seams-state').innerText),
   );
   await settled(page);
   assert.equal(await edited(page), N);

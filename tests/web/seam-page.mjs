@@ -62,7 +62,8 @@ export async function clickAt(page, [x, y]) {
 
 export const edited = async (page) =>
   Number(
-    /^edited: ([\d,]+) edge/.exec(await textOf(page, '#seams-state'))?.[1].replace(',', '') ?? -1,
+    /^seams edited: ([\d,]+) edge/.exec(await textOf(page, '#seams-state'))?.[1].replace(',', '') ??
+      -1,
   );
 
 /** A place on the canvas in pixels of the page. */

@@ -319,7 +319,7 @@ test('one finger paints with Paint pressed, two fingers move the view', async (t
   for (const place of [middle, to]) await touch('touchMove', place);
   await touch('touchEnd');
   await page.waitForFunction(() =>
-    /^edited/.test(document.querySelector('#seams-state').innerText),
+    /^seams edited/.test(document.querySelector('#seams-state').innerText),
   );
   await settled(page);
   assert.equal(await edited(page), 6);

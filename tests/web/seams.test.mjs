@@ -101,7 +101,7 @@ async function openHeld(t, options = SMALL) {
 test('what is done to seams before they can be edited waits for that', async (t) => {
   const { page, release } = await openHeld(t);
   await page.click('#details-toggle');
-  assert.ok(await page.isVisible('#seam-tools'));
+  assert.ok(await page.isEnabled('#seam-cut'));
   assert.equal(
     await point(page, 0.5, 0.5),
     'Click a vertex to start a cut, double-click an edge to cut its loop',
@@ -134,7 +134,7 @@ test('if what edits seams cannot be loaded, the page says so and tries again', a
     (said) => document.querySelector('#run-text').textContent === said,
     said,
   );
-  assert.ok(await page.isHidden('#seam-tools'));
+  assert.ok(await page.isDisabled('#seam-cut'));
   await page.unroute(script);
   await page.click('#seams-sharp');
   await settled(page);
@@ -156,7 +156,7 @@ test('a cut is kept and cut further where charts are stretched, and edits go on 
   };
   await cut([0.44, 0.5], [0.56, 0.5]);
   const own = await state();
-  assert.match(own, /^edited: \d+ edges?$/);
+  assert.match(own, /^seams edited: \d+ edges?$/);
   assert.equal(await textOf(page, '#badge'), 'Stretched');
   await page.click('#remedy');
   await settled(page);
@@ -172,7 +172,7 @@ test('a cut is kept and cut further where charts are stretched, and edits go on 
   assert.ok((await stretch()) < before);
   const further = Number((await metrics(page))['Seam length']);
   await cut([0.5, 0.4], [0.5, 0.6]);
-  assert.match(await state(), /^edited: \d+ edges$/);
+  assert.match(await state(), /^seams edited: \d+ edges$/);
   assert.ok(Number((await metrics(page))['Seam length']) >= further, 'nothing was joined');
   // The second cut, the slider, and cutting further.
   for (let i = 0; i < 3; ++i) await page.click('#undo');
@@ -232,7 +232,7 @@ test('seams that charts need to be disks stay, and say so', async (t) => {
   const page = await openPage(t, { ...SMALL, open: ['torus.obj', objText(torus(24, 12))] });
   await page.click('#seams-auto');
   await settled(page);
-  assert.equal(await textOf(page, '#seams-state'), 'fewest possible cuts');
+  assert.equal(await textOf(page, '#seams-state'), 'fewest possible seams');
   const needed = Number((await metrics(page))['Seam length']);
   assert.ok(needed > 0);
   await page.click('#seam-join');

@@ -3,7 +3,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { addMesh, emptyDocument, io, primitiveOf, randomRows } from '../support/gltf.mjs';
 import { CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
+import { sphere } from '../support/surfaces.mjs';
 import { choose, dropAndWait, openPage, settled } from './page.mjs';
 
 /** As a fraction of the window's height. */
@@ -115,7 +117,7 @@ test('labels and names never push anything out of its place', async (t) => {
   const page = await openPage(t);
   const name = `${'a-mesh-with-a-very-long-name-'.repeat(3)}.obj`;
   await dropAndWait(page, name, CUBE_OF_PARTS);
-  // All sources, with the state shown beside them.
+  // All sources, with the choice of what is read.
   for (const id of ['#seams-uv', '#seams-material', '#seams-sharp']) {
     await page.click(id);
     await settled(page);
@@ -143,7 +145,41 @@ test('labels and names never push anything out of its place', async (t) => {
     const sideways = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(sideways <= 0, `no scrolling sideways at ${width}`);
   }
+  // A glTF adds a choice to the bar at the top; beside the details, views are narrow.
+  await dropAndWait(page, 'ball.glb', await ballWithUvs());
+  assert.ok(await page.isVisible('#texcoord'));
+  await page.click('#details-toggle');
+  for (const width of [1280, 1181, 1024, 820, 768, 701]) {
+    await resize(page, width, 800);
+    assert.deepEqual(await outsideOfBars(page), [], `with details, ${width}`);
+  }
 });
+
+/** With two UV sets, of which one can be chosen. */
+function ballWithUvs() {
+  const document = emptyDocument();
+  const ball = primitiveOf(document, sphere(4));
+  const count = ball.getAttribute('POSITION').getCount();
+  for (const set of [0, 1])
+    ball.setAttribute(`TEXCOORD_${set}`, randomRows(document, 'VEC2', Float32Array, count));
+  addMesh(document, 'ball', ball);
+  return io.writeBinary(document);
+}
+
+/** What cannot be reached, because it is beyond the end of its bar. */
+const outsideOfBars = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('.bar, .pane-head, .pane-tools, .verdict')]
+      .filter((bar) => bar.checkVisibility())
+      .flatMap((bar) => {
+        const { left, right } = bar.getBoundingClientRect();
+        return [...bar.querySelectorAll('button, select, input')].filter((control) => {
+          const own = control.getBoundingClientRect();
+          return control.checkVisibility() && (own.left < left || own.right > right + 0.5);
+        });
+      })
+      .map(({ id }) => id),
+  );
 
 test('on a phone both views of an atlas together have most of the screen', async (t) => {
   const page = await openPage(t);

@@ -96,6 +96,19 @@ test('stacked charts are valid, stay stacked when all is packed again, and are e
   await exportAs(page, 'glb');
   assert.doesNotMatch(await textOf(page, '#run-text'), /flip|overlap/);
 
+  // A chart that is cut has another shape. The others stay, and it is said which do not.
+  const slit = { name: 'slit.txt', mimeType: 'text/plain', buffer: Buffer.from('1 4\n') };
+  await page.setInputFiles('#seams-file', slit);
+  await page.waitForFunction(() => document.querySelector('#seams-state').textContent);
+  await settled(page);
+  assert.match(await textOf(page, '#run-text'), /; 1 chart no longer stacked$/);
+  await packAgain(page);
+  assert.equal(await textOf(page, '#reason'), '2 charts stacked, no other overlaps');
+  assert.doesNotMatch(await textOf(page, '#run-text'), /stacked/, 'said once');
+  for (let i = 0; i < 2; i++) await page.click('#undo');
+  await settled(page);
+  await isValid(page);
+
   // A chart that comes to lie on a stack by accident is a fault.
   const [to, from] = [0, 3].map((chart) => middleOfChart(shown, chart));
   await page.locator('#charts tbody tr').last().click();

@@ -32,7 +32,8 @@ async function cut(page, text) {
   });
   const edges = text.split('\n').length;
   await page.waitForFunction(
-    (edges) => document.querySelector('#seams-state').textContent.startsWith(`edited: ${edges} `),
+    (edges) =>
+      document.querySelector('#seams-state').textContent.startsWith(`seams edited: ${edges} `),
     edges,
   );
   await settled(page);
@@ -62,8 +63,14 @@ async function isMeasured(page) {
 }
 
 test('a chart that found too little room is said to be uneven, and one click mends it', async (t) => {
-  const page = await openPage(t, { webgl: false, mode: 'unwrap', open: ['strip.obj', STRIP] });
+  const viewport = { width: 1440, height: 900 };
+  const open = ['strip.obj', STRIP];
+  const page = await openPage(t, { webgl: false, viewport, mode: 'unwrap', open });
+  const views = () =>
+    page.locator('.stage').evaluateAll((all) => all.map(({ clientHeight }) => clientHeight));
+  const before = await views();
   await cut(page, between(1));
+  assert.deepEqual(await views(), before, 'what is said of seams takes nothing from the views');
   assert.equal(await textOf(page, '#badge'), 'Valid');
   await isMeasured(page);
   // Four squares in a row fit nowhere beside five that stay in a grid of three by three.
@@ -74,7 +81,8 @@ test('a chart that found too little room is said to be uneven, and one click men
   assert.ok(high > 1.2 * low, `${low} to ${high}`);
   await isMeasured(page);
   assert.equal(await textOf(page, '#badge'), 'Uneven');
-  const [, least, most] = /^Charts have ([\d.]+) to ([\d.]+) texels per unit/.exec(
+  assert.deepEqual(await views(), before, 'nor does a remedy');
+  const [, least, most] = /^Texel density ([\d.]+) to ([\d.]+):/.exec(
     await textOf(page, '#reason'),
   );
   assert.ok(Math.abs(least / low - 1) < 0.01 && Math.abs(most / high - 1) < 0.01);

@@ -170,9 +170,9 @@ test('above the limit the badge says so, and one click cuts further', async (t) 
   });
   await page.click('#seams-auto');
   await settled(page);
-  assert.equal(await textOf(page, '#seams-state'), 'fewest possible cuts');
+  assert.equal(await textOf(page, '#seams-state'), 'fewest possible seams');
   assert.equal(await textOf(page, '#badge'), 'Stretched');
-  assert.match(await textOf(page, '#reason'), /^Stretch \d\.\d+; the limit is 1\.02$/);
+  assert.match(await textOf(page, '#reason'), /^Stretch \d\.\d+; limit 1\.02$/);
   assert.match(await textOf(page, '#stretch-hint'), /^not enforced/);
   const { Stretch } = await metrics(page);
   assert.ok(Number(Stretch) > 1.02);

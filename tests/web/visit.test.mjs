@@ -43,7 +43,7 @@ test('edited seams, a lock, a moved chart and options come back bit by bit, twic
     buffer: Buffer.from('1 2\n2 3\n'),
   });
   await settled(page);
-  assert.match(await textOf(page, '#seams-state'), /^edited: 2 edges/);
+  assert.match(await textOf(page, '#seams-state'), /^seams edited: 2 edges/);
   await page.locator('.lock').first().click();
   await page.locator('#charts tbody tr').last().click();
   await page.focus('#layout-canvas');
@@ -56,7 +56,7 @@ test('edited seams, a lock, a moved chart and options come back bit by bit, twic
     assert.equal(await textOf(page, '#run-text'), 'Restored both.obj from your last visit');
     assert.equal(await textOf(page, '#source'), 'both.obj');
     assert.equal(await page.inputValue('#padding'), '9');
-    assert.match(await textOf(page, '#seams-state'), /^edited: 2 edges/);
+    assert.match(await textOf(page, '#seams-state'), /^seams edited: 2 edges/);
     assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 1);
     assert.ok(before.equals(await bytes(page)), 'the same file');
     assert.ok(await page.isDisabled('#undo'));

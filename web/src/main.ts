@@ -16,7 +16,8 @@ function createViews(): Views | null {
     if (!(error instanceof NoWebGl)) throw error;
     for (const id of ['mesh-stage', 'layout-stage'])
       element(id, HTMLElement).append(create('p', 'no-webgl', SHOWN.noWebGl));
-    for (const id of ['mesh-canvas', 'layout-canvas']) element(id, HTMLElement).hidden = true;
+    for (const id of ['mesh-canvas', 'layout-canvas', 'seam-tools'])
+      element(id, HTMLElement).hidden = true;
     for (const id of ['wireframe', 'other-side', 'reset', 'fit'])
       element(id, HTMLButtonElement).disabled = true;
     element('shading', HTMLSelectElement).disabled = true;

@@ -1,3 +1,4 @@
+import { FLAT_FRAME } from '../model/drawing';
 import type { Point } from './motion';
 
 /** The arrays of an atlas that moving its charts needs. */
@@ -62,3 +63,15 @@ export const middleOf = ({ low, high }: Box): Point => [
   (low[0] + high[0]) / 2,
   (low[1] + high[1]) / 2,
 ];
+
+/** The box around some charts; `frames` has the `FLAT_FRAME` of each. There may be too many for the arguments of a call. */
+export function boxInFrames(frames: Float32Array, charts: Iterable<number>): Box {
+  const { size, low, high } = FLAT_FRAME;
+  const box: Box = { low: [Infinity, Infinity], high: [-Infinity, -Infinity] };
+  for (const chart of charts)
+    for (const d of [0, 1] as const) {
+      box.low[d] = Math.min(box.low[d], frames[size * chart + low + d]);
+      box.high[d] = Math.max(box.high[d], frames[size * chart + high + d]);
+    }
+  return box;
+}

@@ -195,7 +195,7 @@ export const MESH_TABS = {
     `${title}${isUnsaved ? ', edits not exported' : ''} (Delete closes it)`,
   unsaved: ', edits not exported',
   close: (title: string) => `Close ${title} without exporting it?`,
-  whatIsLost: 'Its edits are in no file yet, and closing it discards them.',
+  whatIsLost: 'Its edits have not been exported. Closing it discards them.',
   closeIt: 'Close without exporting',
 };
 
@@ -424,13 +424,13 @@ export const VERDICT = {
   noOverlaps: 'No flipped triangles, no overlaps',
   stacked: (charts: number) => `${counted(charts, 'chart')} stacked, no other overlaps`,
   uneven: (least: number, most: number) =>
-    `Charts have ${measure(least)} to ${measure(most)} texels per unit: repack to even them out`,
+    `Texel density ${measure(least)} to ${measure(most)}: repack to even out`,
   lengthsChange: (share: number) =>
     `Lengths change by ${count(100 * share)}\u202f% on average: seams would help`,
   stretched: (most: string, limit: number, charts: number, all: number) => {
     const upTo = charts > 1 ? 'up to ' : '';
     const where = all > 1 ? ` in ${count(charts)} of ${count(all)} charts` : '';
-    return `Stretch ${upTo}${most}${where}; the limit is ${limit}`;
+    return `Stretch ${upTo}${most}${where}; limit ${limit}`;
   },
   outside: (charts: number) =>
     `${counted(charts, 'chart')} outside ${charts === 1 ? 'its tile' : 'their tiles'}`,
@@ -537,7 +537,7 @@ export const ATLAS_NOTES = {
   conflicts: (n: number, places: string) =>
     `${counted(n, 'edge lies', 'edges lie')} between faces of opposite orientation and ${n === 1 ? 'became a seam' : 'became seams'}: ${places}`,
   noArea: (n: number) =>
-    `${counted(n, 'triangle has', 'triangles have')} no area and were given artificial angles`,
+    `${counted(n, 'triangle has', 'triangles have')} no area and ${n === 1 ? 'was' : 'were'} given artificial angles`,
   faces: (n: number, names: string) => `${n === 1 ? 'face' : 'faces'} ${names}`,
   edges: (n: number, names: string) => `${n === 1 ? 'edge' : 'edges'} ${names}`,
   andMore: (names: string, more: number) => `${names} and ${count(more)} more`,
@@ -742,6 +742,7 @@ export const RUN = {
   but: (badge: string) => `, ${badge.toLowerCase()}`,
   ownBounds: (bounds: number) => `; ${counted(bounds, 'own bound')}`,
   repacked: '; repacked, because there was too little room',
+  unstacked: (charts: number) => `; ${counted(charts, 'chart')} no longer stacked`,
   kept: 'kept',
   locked: 'locked',
   keptAsInFile: 'as in the file',
@@ -788,7 +789,7 @@ export const SHOWN = {
 /** Why a mesh cannot be read. */
 export const READING = {
   noMesh: 'Open a mesh first.',
-  empty: (name: string) => `${name} is empty.`,
+  empty: (name: string) => `${name} is empty. Export or download it again.`,
   notSupported: (name: string) => `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`,
   /** A file of a 3D program. */
   scene: (name: string) =>
@@ -842,8 +843,8 @@ export const SEAM_SOURCES = {
   sharpRange: 'above 0 and at most 180 degrees',
   degrees: (degrees: number) => `${degrees}°`,
   edited: (edges: number, isCutFurther: boolean) =>
-    `edited: ${counted(edges, 'edge')}${isCutFurther ? ', cut further' : ''}`,
-  none: 'fewest possible cuts',
+    `seams edited: ${counted(edges, 'edge')}${isCutFurther ? ', cut further' : ''}`,
+  none: 'fewest possible seams',
 };
 
 /** Seams that are edited. */

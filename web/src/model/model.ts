@@ -104,6 +104,8 @@ export interface Unwrapped extends Made {
   isRepacked?: boolean;
   /** Charts that share texels; none is a fault. */
   stacks?: Stack[];
+  /** How many charts were stacked before, and are not in a stack now. */
+  unstacked?: number;
 }
 
 export type Outcome = Flattened | Unwrapped;

@@ -100,7 +100,7 @@ export class SeamEditor {
       this.offer = null;
     }
     this.model = model;
-    this.tools.setVisible(model !== null);
+    this.tools.setEnabled(model !== null);
     this.update();
   }
 

@@ -11,10 +11,12 @@ export class SeamTools {
   private readonly buttons = TOOLS.map((tool) => element(`seam-${tool}`, HTMLButtonElement));
   private readonly paint = element('seam-paint', HTMLButtonElement);
   private readonly cancel = element('seam-cancel', HTMLButtonElement);
+  private readonly sharp = element('sharp-mark', HTMLButtonElement);
   private readonly sharpMarks = element('sharp-marks', HTMLElement);
   private readonly hint = element('seam-hint', HTMLElement);
   private chosen: (typeof TOOLS)[number] = 'cut';
   private paints = false;
+  private isEnabled = false;
 
   constructor(
     private readonly toolChanged: () => void,
@@ -30,7 +32,7 @@ export class SeamTools {
 
   /** What a click does; null if nothing. */
   get tool(): Tool | null {
-    return this.bar.hidden || this.chosen === 'select' ? null : this.chosen;
+    return !this.isEnabled || this.chosen === 'select' ? null : this.chosen;
   }
 
   /** Whether drags over the mesh use the tool. */
@@ -54,8 +56,10 @@ export class SeamTools {
     return target instanceof Node && this.bar.contains(target);
   }
 
-  setVisible(isVisible: boolean): void {
-    this.bar.hidden = !isVisible;
+  /** The bar keeps its place, and the view above it its size. */
+  setEnabled(isEnabled: boolean): void {
+    this.isEnabled = isEnabled;
+    for (const button of [...this.buttons, this.paint, this.sharp]) button.disabled = !isEnabled;
   }
 
   /** While a cut is begun, it can be cancelled, which takes the place of what begins others. */
@@ -66,6 +70,7 @@ export class SeamTools {
 
   setHint(text: string): void {
     this.hint.textContent = text;
+    this.hint.title = text;
     this.hint.hidden = text === '';
   }
 

@@ -6,9 +6,10 @@ import {
   exportFormat,
   type Opened,
   type Outcome,
-  type Source,
+  type Unwrapped,
 } from '../model/model';
 import { type Settings, sameButSeams, type UnwrapSettings } from '../model/settings';
+import { stackedCharts } from '../model/stacks';
 import { judged, keepingStacks, type StackHelpers } from './stacks';
 
 interface Watch {
@@ -18,6 +19,8 @@ interface Watch {
 
 type Input = Pick<Opened, 'source' | 'input' | 'mesh' | 'gltf'>;
 
+type Packed = Pick<Unwrapped, 'result' | 'stacks' | 'isRepacked'>;
+
 type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces' | 'seams' | 'seamEdges'>;
 
 /**
@@ -25,9 +28,8 @@ type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces' | 'se
  * where they are. After an edit of seams, or when charts were moved, all that it leaves unchanged
  * stay where they are.
  */
-function fromEarlier(source: Source, settings: UnwrapSettings, earlier: Outcome | null): Earlier {
+function fromEarlier(settings: UnwrapSettings, last: Unwrapped | null): Earlier {
   const { kept, placed } = settings;
-  const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
   const isMoved = placed !== undefined && placed !== last?.settings.placed;
   const keepsPlaces = isMoved || (last !== null && isSeamEdit(last.settings, settings));
   const layout = (isMoved ? placed : undefined) ?? last?.result;
@@ -85,21 +87,24 @@ export async function layOut(
       roundsForGltf,
       ...watch,
     });
-  const known = fromEarlier(source, settings, earlier);
-  const made = { mode, source, mesh, gltf, settings };
+  const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
+  const known = fromEarlier(settings, last);
+  const made = ({ stacks, ...rest }: Packed): Outcome => {
+    const unstacked = stackedCharts(last?.stacks) - stackedCharts(stacks);
+    return { mode, source, mesh, gltf, settings, ...rest, stacks, unstacked };
+  };
   const runs = { abflat, input, helpers, signal: watch.signal };
   const packed = (known: Earlier) => {
-    const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
     if (!last?.stacks) return unwrap(known).then((result) => ({ result }));
     const { faceDensities } = settings;
     return keepingStacks(last, last.stacks, { ...known, faceDensities }, unwrap, runs);
   };
-  if (!known.keepsPlaces) return { ...made, ...(await packed(known)) };
+  if (!known.keepsPlaces) return made(await packed(known));
   try {
-    return { ...made, ...(await judged(await unwrap(known), runs)) };
+    return made(await judged(await unwrap(known), runs));
   } catch (error) {
     if ((error as AbflatError).code !== 'AtlasTooSmall') throw error;
     // Beside the charts that stay there is no room for the others at the density asked for.
-    return { ...made, ...(await packed({ ...known, keepsPlaces: false })), isRepacked: true };
+    return made({ ...(await packed({ ...known, keepsPlaces: false })), isRepacked: true });
   }
 }

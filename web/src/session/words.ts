@@ -3,7 +3,7 @@ import { LAYING_OUT, READING, RUN, SETTINGS, SHOWN } from '../base/english';
 import { ended, inPageWords } from '../base/format';
 import type { DisplayMesh } from '../mesh/mesh';
 import { foundChart } from '../model/found-chart';
-import type { Flattened, Outcome, Source } from '../model/model';
+import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
 import { changedOptions } from '../model/more-options';
 import type { Settings } from '../model/settings';
 import { titleOf } from './titles';
@@ -70,16 +70,22 @@ export const isOnlyPlaced = ({ mode, settings, result }: Outcome): boolean =>
   mode === 'unwrap' && 'placed' in settings && result.report.charts.every(({ fixed }) => fixed);
 
 /**
- * For a disk: the vertices with a bound of their own. For an edited atlas: the charts that did not change and those that were to stay where they are.
+ * For a disk: the vertices with a bound of their own. For an edited atlas: the charts that the edit leaves as and where they were, those
+ * that were to stay, and those that have lost their stack.
  */
 export function kept(outcome: Outcome): string {
   if (outcome.mode === 'flatten') {
     const own = outcome.settings.bounds?.length ?? 0;
     return own > 0 ? RUN.ownBounds(own) : '';
   }
+  const { unstacked = 0 } = outcome;
+  return keptCharts(outcome) + (unstacked > 0 ? RUN.unstacked(unstacked) : '');
+}
+
+function keptCharts(outcome: Unwrapped): string {
   if (outcome.isRepacked) return RUN.repacked;
   const { charts } = outcome.result.report;
-  const known = charts.filter(({ solver }) => solver === 'known').length;
+  const known = charts.filter(({ solver, fixed }) => solver === 'known' && fixed).length;
   const fixed = charts.filter(({ solver }) => solver === 'given').length;
   const fixedAs = outcome.settings.fixedFaces ? RUN.keptAsInFile : RUN.locked;
   if (known > 0 && fixed > 0) return RUN.keptAndFixed(known, fixed, fixedAs);

@@ -1,9 +1,9 @@
 import { OrthographicCamera, Scene, type Texture } from 'three';
-import { type Box, middleOf } from '../arrange/charts';
+import { type Box, boxInFrames, middleOf } from '../arrange/charts';
 import { inPlane, type Motion, type Point, STILL } from '../arrange/motion';
 import type { Palette } from '../colors/palette';
 import type { Appearance } from '../model/appearance';
-import { FLAT_FRAME, type FlatDrawing, type LayoutDrawing } from '../model/drawing';
+import type { FlatDrawing, LayoutDrawing } from '../model/drawing';
 import type { Bending } from './bending';
 import { ChartEdges } from './chart-edges';
 import { ChartFlags, type ChartStates, NO_STATES } from './chart-flags';
@@ -73,8 +73,6 @@ export class LayoutView {
   /** Until the user pans or zooms, the layout stays fitted however it or the pane changes. */
   private isFitted = true;
   private isAtlas = false;
-  /** Whether there is a layout on screen. */
-  private isShown = false;
   private palette: Palette | null = null;
   /** `FLAT_FRAME` of each shown chart. */
   private frames: Float32Array = new Float32Array();
@@ -111,6 +109,8 @@ export class LayoutView {
       this.rings.object,
       ...this.pins.objects,
     );
+    // Nothing is drawn until there is a layout.
+    this.scene.visible = false;
     this.ready = this.stage.start(this.scene, this.camera);
   }
 
@@ -131,8 +131,8 @@ export class LayoutView {
   /** Shows no layout, until there is another one. */
   clear(): void {
     this.surface.stop();
-    if (!this.isShown) return;
-    this.isShown = false;
+    this.grid.setResolution(null);
+    if (!this.scene.visible) return;
     this.scene.visible = false;
     this.labels.show(0);
     this.stage.invalidate();
@@ -140,7 +140,6 @@ export class LayoutView {
 
   /** Shows everything besides the triangles. */
   private showParts(layout: LayoutDrawing, edgeCharts: Uint32Array, isAtlas: boolean): void {
-    this.isShown = true;
     this.scene.visible = true;
     this.isAtlas = isAtlas;
     this.pins.setPlane(layout.middle, layout.unit);
@@ -303,20 +302,8 @@ export class LayoutView {
   boxOf(charts: Iterable<number>): Box {
     const [u, v] = this.middle;
     const inUv = ([x, y]: Point): Point => [u + this.unit * x, v + this.unit * y];
-    const { low, high } = this.boxInPlane(charts);
+    const { low, high } = boxInFrames(this.frames, charts);
     return { low: inUv(low), high: inUv(high) };
-  }
-
-  /** There may be too many charts for the arguments of a call. */
-  private boxInPlane(charts: Iterable<number>): Box {
-    const { size, low, high } = FLAT_FRAME;
-    const box: Box = { low: [Infinity, Infinity], high: [-Infinity, -Infinity] };
-    for (const chart of charts)
-      for (const d of [0, 1] as const) {
-        box.low[d] = Math.min(box.low[d], this.frames[size * chart + low + d]);
-        box.high[d] = Math.max(box.high[d], this.frames[size * chart + high + d]);
-      }
-    return box;
   }
 
   /** Drags pan only when `mayPan`. */
@@ -339,7 +326,7 @@ export class LayoutView {
 
   /** Moves the view to some charts. */
   goTo(charts: number[]): void {
-    const { low, high } = this.boxInPlane(charts);
+    const { low, high } = boxInFrames(this.frames, charts);
     if (!(low[0] <= high[0])) return;
     this.look(...middleOf({ low, high }), [high[0] - low[0], high[1] - low[1]]);
     this.isFitted = false;
