@@ -45,7 +45,7 @@ test('jobs of a lane use one browser, those of two lanes never the same at once'
     busy.delete(browser);
   };
   const jobs = ['a', 'b', 'c', 'd', 'e'].map((name) => job(name, work));
-  await runPool([{ title: 'web', jobs: withBrowsers(jobs, serve) }], 2, () => {});
+  await runPool([{ title: 'web', jobs: withBrowsers(jobs, serve) }], 2, () => undefined);
   assert.equal(all.length, 2);
   assert.ok(all.every(({ isClosed }) => isClosed));
 });
@@ -53,7 +53,11 @@ test('jobs of a lane use one browser, those of two lanes never the same at once'
 test('a browser that ended is replaced', async () => {
   const { all, dead, serve } = made();
   const jobs = [job('a', () => dead.add(0)), job('b'), job('c')];
-  const records = await runPool([{ title: 'web', jobs: withBrowsers(jobs, serve) }], 1, () => {});
+  const records = await runPool(
+    [{ title: 'web', jobs: withBrowsers(jobs, serve) }],
+    1,
+    () => undefined,
+  );
   assert.deepEqual(usedBy(records), ['0', '1', '1']);
   assert.ok(all[1].isClosed);
 });
