@@ -13,9 +13,7 @@ import { catchJobs, fuzzJobs, nodeJobs } from './lib/suites.mjs';
 
 /** A finding ends the program in a way that cannot be mistaken for a documented exit code. */
 const SANITIZER_ENV = {
-  // Freed memory stays poisoned until 32 MB more are freed; with the usual 256 MB runs take a
-  // quarter longer.
-  ASAN_OPTIONS: 'abort_on_error=1:detect_leaks=1:strict_string_checks=1:quarantine_size_mb=32',
+  ASAN_OPTIONS: 'abort_on_error=1:detect_leaks=1:strict_string_checks=1',
   UBSAN_OPTIONS: 'abort_on_error=1:print_stacktrace=1',
   ABFLAT_BIN: join(BUILD, 'sanitize/abflat'),
   ABFLAT_INSTRUMENTED: '1',

@@ -224,23 +224,28 @@ function fromGltf(model, set = 0) {
   return { faces, lowestRow: -1 };
 }
 
-/** Twice the area that the first three corners have in space, relative to their longest distance squared. */
+const edgeBetween = (a, b) => b.place.map((x, d) => x - a.place[d]);
+
+/** The length of the cross product of two vectors. */
+const crossLength = (u, v) =>
+  Math.hypot(
+    ...[0, 1, 2].map((d) => u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3]),
+  );
+
+/** The height of a triangle in space, relative to its longest side. */
 export function flatness(corners) {
-  const edge = (a, b) => b.place.map((x, d) => x - a.place[d]);
-  const largest = Math.max(...corners.flatMap((c) => edge(corners[0], c).map(Math.abs)));
-  if (!(largest > 0)) return 0;
-  const [u, v] = [1, 2].map((k) => edge(corners[0], corners[k]).map((x) => x / largest));
-  const normal = [0, 1, 2].map(
-    (d) => u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3],
-  );
-  const longest = Math.max(
-    ...[u, v, edge({ place: u }, { place: v })].map((e) => Math.hypot(...e)),
-  );
-  return Math.hypot(...normal) / longest ** 2;
+  const sides = [0, 1, 2].map((k) => edgeBetween(corners[k], corners[(k + 1) % 3]));
+  const longest = Math.max(...sides.map((side) => Math.hypot(...side)));
+  return crossLength(sides[0], sides[1]) / longest ** 2;
 }
 
 /** Whether corners have no area in space, as far as doubles can tell. */
-export const isThinInSpace = (corners) => flatness(corners) < 1e-12;
+export function isThinInSpace(corners) {
+  const largest = Math.max(...corners.flatMap((c) => edgeBetween(corners[0], c).map(Math.abs)));
+  if (!(largest > 0)) return true;
+  const [u, v] = [1, 2].map((k) => edgeBetween(corners[0], corners[k]).map((x) => x / largest));
+  return crossLength(u, v) < 1e-12;
+}
 
 /**
  * Judges the contents of a file, see judge. Polygons are cut along diagonals that lie inside them

@@ -51,7 +51,6 @@ test('the theme follows the system, can be switched and is remembered', async (t
 });
 
 test('text has contrast in both themes', async (t) => {
-  // Without transitions, so that colours have their final values.
   const page = await openPage(t, { mode: 'flatten', open: WAVES });
   await page.click('#details-toggle');
   await page.mouse.move(0, 0);

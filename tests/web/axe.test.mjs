@@ -18,7 +18,6 @@ async function findings(page) {
   });
 }
 
-/** Without transitions, so that colours have their final values. */
 async function openWithAxe(t, mode) {
   const page = await openPage(t, { mode });
   await page.evaluate(axe.source);

@@ -28,6 +28,7 @@ const MESH = '#mesh-canvas';
 const LAYOUT = '#layout-canvas';
 const COLORS = { red: RED, green: GREEN, blue: BLUE, yellow: YELLOW };
 const BALL = ['ball.obj', objText(sphere(8))];
+
 /** Waits until the image is shown. */
 async function shows(page, name) {
   await page.waitForFunction((text) => {

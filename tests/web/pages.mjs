@@ -15,7 +15,7 @@ const PATIENCE = 120_000;
 const USUAL = {
   viewport: { width: 1280, height: 720 },
   colorScheme: 'dark',
-  // A view that glides to a stop draws for a second after each drag.
+  // Colours have their final values at once; a view that glides to a stop would draw for a second.
   reducedMotion: 'reduce',
 };
 

@@ -171,7 +171,7 @@ for (const [name, options] of [
   ['phone', { viewport: { width: 390, height: 844 }, hasTouch: true }],
 ])
   test(`tabs and their notice are without faults, ${name}`, async (t) => {
-    const page = await openPage(t, { ...options });
+    const page = await openPage(t, options);
     const long = Object.fromEntries(
       ['a', 'b', 'c', 'd'].map((each) => [`${each}-${'long-name-'.repeat(5)}.obj`, grid(4)]),
     );
