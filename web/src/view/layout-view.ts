@@ -18,7 +18,7 @@ import { PinLayer } from './pin-layer';
 import { DOT, OWN_BOUND, PointMarks, RING } from './point-marks';
 import { isMeasure, type Shading } from './shading';
 import type { Pixel } from './sight';
-import { SlicedSurface } from './sliced-surface';
+import { MARKS, SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { NONE_LIT } from './surface-material';
 import { TexelGrid } from './texel-grid';
@@ -91,11 +91,12 @@ export class LayoutView {
       canvas,
       () => this.draw(),
       () => this.resized(),
+      () => this.surface.isBlank,
     );
     this.picker = new ChartPicker(this.stage.renderer, false);
     this.flags = new ChartFlags([this.material, this.picker.material]);
     this.textures = new LookTextures(this.stage.renderer, this.material);
-    this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position']);
+    this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position', ...MARKS]);
     this.pins = new PinLayer(this.surface, this.material, this.edges);
     this.scene.add(
       this.sheet.object,
@@ -111,7 +112,8 @@ export class LayoutView {
     );
     // Nothing is drawn until there is a layout.
     this.scene.visible = false;
-    this.ready = this.stage.start(this.scene, this.camera);
+    const first = [this.grid.object, this.surface.object, this.edges.boundary.object];
+    this.ready = this.stage.start(this.scene, this.camera, first);
   }
 
   /** Shows a layout. Keeps the point of view unless `isNew`. */

@@ -15,7 +15,7 @@ import { DOT, OWN_BOUND, PointMarks } from './point-marks';
 import { type SeamMarks, SeamOverlay } from './seam-overlay';
 import { isMeasure, type Shading } from './shading';
 import { type Pixel, Sight } from './sight';
-import { SlicedSurface } from './sliced-surface';
+import { MARKS, SlicedSurface } from './sliced-surface';
 import { Stage } from './stage';
 import { createSurfaceMaterial, NONE_LIT, paintSurface, SurfacePaint } from './surface-material';
 
@@ -78,11 +78,17 @@ export class MeshView {
       canvas,
       () => this.draw(),
       () => this.resized(),
+      () => this.surface.isBlank,
     );
     this.picker = new ChartPicker(this.stage.renderer, true);
     this.flags = new ChartFlags([this.material, this.picker.material]);
     this.textures = new LookTextures(this.stage.renderer, this.material);
-    this.surface = new SlicedSurface(this.stage.renderer, this.material, ['position', 'normal']);
+    this.surface = new SlicedSurface(this.stage.renderer, this.material, [
+      'position',
+      'normal',
+      'uv',
+      ...MARKS,
+    ]);
     this.scene.add(
       this.surface.object,
       ...this.edges.objects,
@@ -100,7 +106,8 @@ export class MeshView {
       this.isFitted = false;
     });
     canvas.addEventListener('keydown', (event) => this.onKey(event));
-    this.ready = this.stage.start(this.scene, this.camera);
+    const first = [this.surface.object, this.edges.boundary.object];
+    this.ready = this.stage.start(this.scene, this.camera, first);
   }
 
   /**

@@ -2,6 +2,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   GLBufferAttribute,
+  InstancedBufferAttribute,
   type Material,
   Mesh,
   Sphere,
@@ -14,6 +15,8 @@ const SLICE = 1 << 17;
 const UPLOADING = 8;
 
 const SIZES = { position: 3, normal: 3, uv: 2, heat: 3, chart: 1, piece: 1, source: 1 };
+/** What a layout marks on its triangles. */
+export const MARKS = ['heat', 'chart', 'piece', 'source'] as const;
 
 /** The arrays per corner of the triangles. */
 export type SurfaceArrays = { position: Float32Array } & Partial<
@@ -38,6 +41,11 @@ export class SlicedSurface {
   private readonly gl: WebGL2RenderingContext;
   private arriving: Arriving | null = null;
   private shown: SurfaceArrays | null = null;
+  /**
+   * In place of arrays that are not given, 0 at all corners: without, the browser would compile the
+   * shader again once they are.
+   */
+  private readonly zeros: [string, InstancedBufferAttribute][];
 
   /** `attributes` lists all that will be used: the material is compiled for them. */
   constructor(renderer: WebGLRenderer, material: Material, attributes: (keyof typeof SIZES)[]) {
@@ -45,9 +53,18 @@ export class SlicedSurface {
     const none = new BufferGeometry();
     for (const name of attributes)
       none.setAttribute(name, new BufferAttribute(new Float32Array(), SIZES[name]));
+    this.zeros = attributes.map((name) => [
+      name,
+      new InstancedBufferAttribute(new Float32Array(SIZES[name]), SIZES[name]),
+    ]);
     this.object = new Mesh(none, material);
     this.object.frustumCulled = false;
     renderer.domElement.addEventListener('webglcontextrestored', () => this.restore());
+  }
+
+  /** Whether there has never been anything to draw. */
+  get isBlank(): boolean {
+    return !this.shown && !this.arriving;
   }
 
   /** `arrived` is called in the frame that first shows the triangles. */
@@ -55,6 +72,7 @@ export class SlicedSurface {
     this.stop();
     const geometry = new BufferGeometry();
     geometry.boundingSphere = new Sphere(); // else the renderer loops over all corners to sort
+    for (const [name, zero] of this.zeros) geometry.setAttribute(name, zero);
     const left: Arriving['left'] = [];
     for (const [name, size] of Object.entries(SIZES)) {
       const array = arrays[name as keyof SurfaceArrays];

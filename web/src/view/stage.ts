@@ -1,4 +1,4 @@
-import { type Camera, type Scene, WebGLRenderer } from 'three';
+import { type Camera, type Object3D, type Scene, WebGLRenderer } from 'three';
 
 export class NoWebGl extends Error {}
 
@@ -20,7 +20,13 @@ export class Stage {
     readonly canvas: HTMLCanvasElement,
     private readonly draw: () => void,
     private readonly resized: () => void,
+    /** Whether there has never been anything to draw: the page shows the same background. */
+    private readonly isBlank: () => boolean,
   ) {
+    // A context that has its size from the start need not allocate its buffers again.
+    const { width, height, ratio } = this.wanted;
+    canvas.width = Math.floor(width * ratio);
+    canvas.height = Math.floor(height * ratio);
     const context = canvas.getContext('webgl2', {
       antialias: true,
       powerPreference: 'high-performance',
@@ -31,17 +37,22 @@ export class Stage {
   }
 
   /**
-   * Compiles the shaders of everything that the scene will ever show, which takes the browser a
-   * while; nothing is drawn before that.
+   * Compiles the shaders of what first pictures of the scene show, which takes the browser a while;
+   * nothing is drawn before that. Those of the rest are small, and compiled when they are needed.
    */
-  async start(scene: Scene, camera: Camera): Promise<void> {
+  async start(scene: Scene, camera: Camera, first: Object3D[]): Promise<void> {
     new ResizeObserver(() => this.resize()).observe(parentOf(this.canvas));
     this.resize();
-    await this.renderer.compileAsync(scene, camera);
+    const compile = (object: Object3D) => this.renderer.compileAsync(object, camera, scene);
+    await Promise.all(first.map(compile));
     // Ask for their errors now: later, that would wait for pictures being drawn.
     for (const program of this.renderer.info.programs ?? []) program.getUniforms();
     this.isReady = true;
-    this.drawNow();
+    if (this.canDraw) this.drawNow();
+  }
+
+  private get canDraw(): boolean {
+    return this.isReady && !this.isBlank();
   }
 
   get pixelRatio(): number {
@@ -55,7 +66,7 @@ export class Stage {
     this.isScheduled = true;
     requestAnimationFrame(() => {
       this.isScheduled = false;
-      if (!this.isReady || !this.isStale) return;
+      if (!this.canDraw || !this.isStale) return;
       // The new content may have changed the page around it.
       this.follow();
       this.drawNow();
@@ -85,21 +96,27 @@ export class Stage {
   private resize(): void {
     // Immediately: waiting for the next frame would show an empty canvas while the window is being
     // resized.
-    if (this.follow() && this.isReady) this.drawNow();
+    if (this.follow() && this.canDraw) this.drawNow();
   }
 
   /** Takes the parent's size; returns whether it has changed. */
   private follow(): boolean {
-    const { clientWidth, clientHeight } = parentOf(this.canvas);
-    const [width, height] = [Math.max(1, clientWidth), Math.max(1, clientHeight)];
-    const ratio = Math.min(window.devicePixelRatio, 3);
+    const { width, height, ratio } = this.wanted;
     if (width === this.width && height === this.height && ratio === this.pixelRatio) return false;
     this.width = width;
     this.height = height;
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height);
+    this.renderer.setDrawingBufferSize(width, height, ratio);
+    this.canvas.style.width = `${width}px`;
+    this.canvas.style.height = `${height}px`;
     this.resized();
     return true;
+  }
+
+  /** In css pixels, and device pixels per css pixel. */
+  private get wanted(): { width: number; height: number; ratio: number } {
+    const { clientWidth, clientHeight } = parentOf(this.canvas);
+    const ratio = Math.min(window.devicePixelRatio, 3);
+    return { width: Math.max(1, clientWidth), height: Math.max(1, clientHeight), ratio };
   }
 }
 
