@@ -73,11 +73,11 @@ export const FLAGS_GLSL = /* glsl */ `
   }
 `;
 
-/** Needs FLAGS_GLSL. `motion` is a motion's a, b, x and y. */
+/** Of a point of a chart with this flag. `motion` is a motion's a, b, x and y. */
 export const MOTION_GLSL = /* glsl */ `
   uniform vec4 motion;
-  vec2 moved(vec2 p, float piece) {
-    if (flagsOf(piece).b < 0.5) return p;
+  vec2 moved(vec2 p, vec3 flag) {
+    if (flag.b < 0.5) return p;
     return vec2(motion.x * p.x - motion.y * p.y, motion.y * p.x + motion.x * p.y) + motion.zw;
   }
 `;

@@ -63,7 +63,6 @@ export class ChartPicker {
     camera: PerspectiveCamera | OrthographicCamera,
     { width, height }: Frame,
   ): number | null {
-    if (!object.geometry.hasAttribute('piece')) return null;
     const { renderer } = this;
     const [color, alpha] = [renderer.getClearColor(new Color()), renderer.getClearAlpha()];
     const painted = object.material;

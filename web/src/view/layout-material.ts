@@ -20,18 +20,21 @@ const VERTEX = /* glsl */ `
   attribute float chart, piece;
   varying vec3 vCorner;
   varying vec2 vPlace;
-  flat varying vec3 vHeat;
+  flat varying vec3 vHeat, vFlag;
   flat varying float vChart, vPiece;
   void main() {
     vCorner = cornerOf(gl_VertexID);
-    vPlace = moved(position.xy, piece) + bent();
+    vFlag = flagsOf(piece);
+    vPlace = moved(position.xy, vFlag) + bent();
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
+#ifdef LOOK
     readLook(showsMaterials);
+#endif
     gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 0.0, 1.0);
     // All in one plane, in their order, but for the charts that are being moved.
-    gl_Position.z = flagsOf(piece).b > 0.5 ? -0.5 : 0.0;
+    gl_Position.z = vFlag.b > 0.5 ? -0.5 : 0.0;
   }
 `;
 
@@ -41,7 +44,6 @@ const FRAGMENT = /* glsl */ `
   ${HEAT_GLSL}
   ${CHART_GLSL}
   ${PICTURE_GLSL}
-  ${FLAGS_GLSL}
   ${LOOK_GLSL}
   uniform bool showsHeat, showsCharts, showsGrid, showsMaterials, showsImage;
   uniform vec2 uvMiddle;
@@ -50,28 +52,31 @@ const FRAGMENT = /* glsl */ `
   uniform vec3 fill, edge, flipped;
   varying vec3 vCorner;
   varying vec2 vPlace;
-  flat varying vec3 vHeat;
+  flat varying vec3 vHeat, vFlag;
   flat varying float vChart, vPiece;
   void main() {
-    vec3 flag = flagsOf(vPiece);
+#ifdef LOOK
     vec2 dx = dFdx(vTexel), dy = dFdy(vTexel);
-    if (flag.r > 0.5) discard;
+#endif
+    if (vFlag.r > 0.5) discard;
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
     if (showsHeat) base = heatColor(vHeat);
     if (showsGrid) base = pictureColor(uvMiddle + uvUnit * vPlace).rgb;
     bool isPainted = showsHeat || showsCharts || showsGrid;
     float alpha = isPainted ? 0.9 : 0.75;
+#ifdef LOOK
     if (showsMaterials) {
       bool isUnlit;
       vec4 look = lookColor(dx, dy, isUnlit);
       base = look.rgb;
       alpha = look.a;
     }
+#endif
     // The image lies below and is to be seen as it is.
-    if (showsImage) alpha = !gl_FrontFacing ? 0.6 : flag.g > 0.5 || vPiece == lit ? 0.25 : 0.1;
+    if (showsImage) alpha = !gl_FrontFacing ? 0.6 : vFlag.g > 0.5 || vPiece == lit ? 0.25 : 0.1;
     if (!gl_FrontFacing) base = flipped;
-    base = mix(base, vec3(1.0), 0.25 * flag.g);
+    base = mix(base, vec3(1.0), 0.25 * vFlag.g);
     bool isDim = (lit >= 0.0 && vPiece != lit) || (showsHeat && !isChosen(vHeat));
     if (isDim) alpha = showsImage ? 0.0 : 0.25;
     float line = edgeCoverage(vCorner, pixelRatio) * (isPainted ? 0.45 : 0.85);

@@ -23,11 +23,15 @@ export const lookUniforms = () => ({
   images: { value: null },
 });
 
+/** Defined in shaders while a mesh has a look: those of others are smaller without. */
+export const LOOK = 'LOOK';
+
 /**
  * `readLook` reads how the corner looks in the file: its place in the image, tint and material. Not
  * needed unless `isShown`. `source` is 0 where the triangles are those of the mesh that was opened.
  */
 export const LOOK_VERTEX_GLSL = /* glsl */ `
+#ifdef ${LOOK}
   uniform highp usampler2D cornerLooks;
   attribute float source;
   varying vec2 vTexel;
@@ -50,6 +54,7 @@ export const LOOK_VERTEX_GLSL = /* glsl */ `
     uvec4 tint = (uvec4(look.w) >> uvec4(0, 8, 16, 24)) & 255u;
     vTint = vec4(linearOf(vec3(tint.rgb) / 255.0), float(tint.a) / 255.0);
   }
+#endif
 `;
 
 /**
@@ -57,6 +62,7 @@ export const LOOK_VERTEX_GLSL = /* glsl */ `
  * BLENDED a part. `isUnlit` tells whether light makes no difference.
  */
 export const LOOK_GLSL = /* glsl */ `
+#ifdef ${LOOK}
   uniform sampler2D materialLooks;
   uniform highp sampler2DArray images;
   varying vec2 vTexel;
@@ -88,4 +94,5 @@ export const LOOK_GLSL = /* glsl */ `
     float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
     return alpha <= noise * 0.998;
   }
+#endif
 `;

@@ -213,6 +213,7 @@ export class MeshView {
 
   /** The chart at a pixel; null if there is none. */
   chartAt(at: Pixel): number | null {
+    if (!this.isFlat) return null;
     return this.picker.chartAt(at, this.surface.object, this.camera, this.stage);
   }
 

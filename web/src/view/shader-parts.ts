@@ -18,7 +18,8 @@ export const CORNER_GLSL = /* glsl */ `
  */
 export const EDGE_GLSL = /* glsl */ `
   float edgeCoverage(vec3 corner, float width) {
-    vec3 slope = sqrt(pow(dFdx(corner), vec3(2.0)) + pow(dFdy(corner), vec3(2.0)));
+    vec3 right = dFdx(corner), up = dFdy(corner);
+    vec3 slope = sqrt(right * right + up * up);
     vec3 pixels = corner / slope;
     float nearest = min(pixels.x, min(pixels.y, pixels.z));
     float height = 1.0 / max(slope.x, max(slope.y, slope.z));

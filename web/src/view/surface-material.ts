@@ -42,7 +42,9 @@ const VERTEX = /* glsl */ `
     vHeat = heat;
     vChart = chart;
     vPiece = piece;
+#ifdef LOOK
     readLook(paint == 5);
+#endif
     gl_Position = projectionMatrix * view;
   }
 `;
@@ -77,28 +79,35 @@ const FRAGMENT = /* glsl */ `
     float light = mix(0.12, 0.26, sky) + 0.74 * pow(max(0.5 + 0.5 * dot(n, key), 0.0), 2.2) +
                   0.18 * max(dot(n, fill), 0.0);
     float gloss = pow(max(dot(n, normalize(key + v)), 0.0), 42.0);
-    float rim = pow(1.0 - max(dot(n, v), 0.0), 4.0);
-    return base * light + 0.06 * gloss + 0.05 * rim;
+    float away = 1.0 - max(dot(n, v), 0.0);
+    float rim = away * away;
+    return base * light + 0.06 * gloss + 0.05 * rim * rim;
   }
 
   void main() {
     vec3 flag = flagsOf(vPiece);
+#ifdef LOOK
     vec2 dx = dFdx(vTexel), dy = dFdy(vTexel);
+#endif
     if (flag.r > 0.5) discard;
     vec3 base = clay;
     bool isUnlit = false;
-    if (paint == 1) base = mix(checkB, checkA, checker(vUv));
     if (paint == 2) base = heatColor(vHeat);
-    if (paint == 3) base = chartColor(vChart) * mix(0.8, 1.0, checker(vUv));
+    if (paint == 1 || paint == 3) {
+      float light = checker(vUv);
+      base = paint == 1 ? mix(checkB, checkA, light) : chartColor(vChart) * mix(0.8, 1.0, light);
+    }
     if (paint == 4) {
       vec4 texel = pictureColor(uvOrigin + uvCell * vUv);
       base = mix(clay, texel.rgb, texel.a);
     }
+#ifdef LOOK
     if (paint == 5) {
       vec4 look = lookColor(dx, dy, isUnlit);
       if (isLeftOut(look.a)) discard;
       base = look.rgb;
     }
+#endif
     bool isDim = (lit >= 0.0 && vPiece != lit) || (paint == 2 && !isChosen(vHeat));
     if (isDim) base = mix(base, background, 0.75);
     base = mix(base, vec3(1.0), 0.25 * flag.g);
