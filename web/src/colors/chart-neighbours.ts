@@ -44,31 +44,41 @@ export class ChartNeighbours {
     const atPoints = new Meetings(this.byPoint);
     const inCells = new Meetings(this.inLayout);
     for (let i = 0; i < edges.length; i += 2) {
-      const [a, b] = [edges[i], edges[i + 1]];
+      const a = edges[i];
+      const b = edges[i + 1];
       const chart = chartOf[a];
       if (chart >= chartCount) continue;
-      const [from, to] = [places[a], places[b]];
+      const from = places[a];
+      const to = places[b];
       onEdges.meet(Math.min(from, to) * places.length + Math.max(from, to), chart);
       atPoints.meet(from, chart);
       atPoints.meet(to, chart);
-      for (const cell of cellsAlong(uv, a, b, cells)) inCells.meet(cell, chart);
+      meetAlong(uv, a, b, cells, (cell) => inCells.meet(cell, chart));
     }
-    inCells.meetAcross((cell) => [cell + 1, cell + ROW - 1, cell + ROW, cell + ROW + 1]);
+    inCells.meetAcross([1, ROW - 1, ROW, ROW + 1]);
   }
 }
 
 /** Offset from a cell to the one above it. */
 const ROW = 2 ** 22;
 
-/** The cells along an edge, sampled at most a cell's width apart. */
-function cellsAlong(uv: Float64Array, a: number, b: number, cells: number): number[] {
-  const [u, v] = [cells * uv[2 * a], cells * uv[2 * a + 1]];
-  const [du, dv] = [cells * uv[2 * b] - u, cells * uv[2 * b + 1] - v];
+/** Calls `meet` with the cells along an edge, sampled at most a cell's width apart. */
+function meetAlong(
+  uv: Float64Array,
+  a: number,
+  b: number,
+  cells: number,
+  meet: (cell: number) => void,
+): void {
+  const u = cells * uv[2 * a];
+  const v = cells * uv[2 * a + 1];
+  const du = cells * uv[2 * b] - u;
+  const dv = cells * uv[2 * b + 1] - v;
   const steps = Math.min(cells, Math.ceil(Math.hypot(du, dv)));
-  return Array.from({ length: steps + 1 }, (_, i) => {
+  for (let i = 0; i <= steps; ++i) {
     const share = i / (steps || 1);
-    return Math.floor(u + share * du) + ROW * Math.floor(v + share * dv);
-  });
+    meet(Math.floor(u + share * du) + ROW * Math.floor(v + share * dv));
+  }
 }
 
 /** Charts that meet at the same place become neighbours. */
@@ -86,10 +96,12 @@ class Meetings {
     }
   }
 
-  meetAcross(nextTo: (place: number) => number[]): void {
+  /** Those at places that differ by one of `steps` become neighbours as well. */
+  meetAcross(steps: number[]): void {
     for (const [place, charts] of this.at)
-      for (const other of nextTo(place).flatMap((next) => this.at.get(next) ?? []))
-        for (const chart of charts) if (chart !== other) this.join(chart, other);
+      for (const step of steps)
+        for (const other of this.at.get(place + step) ?? [])
+          for (const chart of charts) if (chart !== other) this.join(chart, other);
   }
 
   private join(a: number, b: number): void {

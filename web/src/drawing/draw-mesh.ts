@@ -23,7 +23,7 @@ export function drawMesh(picture: Picture): Drawing {
 export function drawFlatMesh(picture: FlatPicture, chartCount: number): MeshDrawing {
   const { mesh, tightened, charts } = picture;
   const unit = toUnitSphere(mesh);
-  const cells = checkerCells(mesh);
+  const cells = checkerCells(mesh, picture.sizes);
   return {
     ...surface(picture, unit),
     uv: perCorner(inCells(mesh.uv, cells), 2, mesh.indices),
@@ -38,14 +38,20 @@ export function drawFlatMesh(picture: FlatPicture, chartCount: number): MeshDraw
 export function drawMarks(picture: FlatPicture): TriangleMarks {
   const { heat, mesh, charts, chartColors, source } = picture;
   const none = new Float32Array(mesh.indices.length / 3);
-  const colors =
-    charts && chartColors && Float32Array.from(charts, (chart) => chartColors[chart] ?? 0);
   return {
     heat: heatOfCorners(heat.places),
-    chart: toCorners(colors ?? none),
+    chart: toCorners(charts && chartColors ? colorsOf(charts, chartColors) : none),
     piece: toCorners(charts ?? none),
     ...(source && { source }),
   };
+}
+
+/** The number of the colour of each triangle; 0 where it has no chart. */
+function colorsOf(charts: Uint32Array, chartColors: Float32Array): Float32Array {
+  const colors = new Float32Array(charts.length);
+  for (let f = 0; f < charts.length; ++f)
+    if (charts[f] < chartColors.length) colors[f] = chartColors[charts[f]];
+  return colors;
 }
 
 function surface(

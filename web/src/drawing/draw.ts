@@ -21,8 +21,9 @@ export function drawFlat(picture: FlatPicture, chartCount: number): FlatDrawing 
 function edgeCharts({ mesh, edges, charts }: FlatPicture): Uint32Array {
   if (!charts) return new Uint32Array();
   const chartOfVertex = new Uint32Array(mesh.uv.length / 2);
-  mesh.indices.forEach((v, c) => {
-    chartOfVertex[v] = charts[Math.floor(c / 3)];
-  });
-  return Uint32Array.from({ length: edges.length / 2 }, (_, e) => chartOfVertex[edges[2 * e]]);
+  for (let c = 0; c < mesh.indices.length; ++c)
+    chartOfVertex[mesh.indices[c]] = charts[Math.floor(c / 3)];
+  const chartOfEdge = new Uint32Array(edges.length / 2);
+  for (let e = 0; e < chartOfEdge.length; ++e) chartOfEdge[e] = chartOfVertex[edges[2 * e]];
+  return chartOfEdge;
 }

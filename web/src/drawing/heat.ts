@@ -1,5 +1,5 @@
-import { distortionsOf } from '../mesh/distortion';
-import type { FlatMesh } from '../mesh/mesh';
+import { distortionsOf, sum } from '../mesh/distortion';
+import type { FlatMesh, TriangleAreas } from '../mesh/mesh';
 import {
   BARS,
   distanceFromBest,
@@ -17,17 +17,18 @@ export interface Heat {
   spreads: Record<Measure, Spread>;
 }
 
-export function heatOf(mesh: FlatMesh, charts?: Uint32Array): Heat {
-  const found = distortionsOf(mesh, charts);
+export function heatOf(mesh: FlatMesh, charts?: Uint32Array, sizes?: TriangleAreas): Heat {
+  const found = distortionsOf(mesh, charts, sizes);
   const areas = found.area3d;
   const places = new Float32Array(MEASURES.length * areas.length);
   MEASURES.forEach((measure, k) => {
     const { place } = SCALES[measure];
-    found[measure].forEach((value, f) => {
-      const at = place(value);
+    const values = found[measure];
+    for (let f = 0; f < values.length; ++f) {
+      const at = place(values[f]);
       // A triangle without area in uv is as far from the best value as can be drawn.
-      places[MEASURES.length * f + k] = Number.isFinite(at) ? at : value > 1 ? 2 : -1;
-    });
+      places[MEASURES.length * f + k] = Number.isFinite(at) ? at : values[f] > 1 ? 2 : -1;
+    }
   });
   const spreadOf = (measure: Measure) => spread(measure, places, areas);
   return {
@@ -50,12 +51,12 @@ function spread(measure: Measure, places: Float32Array, areas: Float64Array): Sp
   const shares = new Float64Array(BARS);
   const distances = new Float32Array(areas.length);
   const k = MEASURES.indexOf(measure);
-  areas.forEach((area, f) => {
+  for (let f = 0; f < areas.length; ++f) {
     const place = places[MEASURES.length * f + k];
-    shares[barOf(place)] += area;
+    shares[barOf(place)] += areas[f];
     distances[f] = Math.max(0, distanceFromBest(measure, place));
-  });
-  const total = areas.reduce((sum, area) => sum + area, 0);
+  }
+  const total = sum(areas);
   if (total > 0) for (let bar = 0; bar < BARS; ++bar) shares[bar] /= total;
   return { shares, worst: threshold(distances, areas, WORST * total) };
 }
@@ -67,9 +68,7 @@ function spread(measure: Measure, places: Float32Array, areas: Float64Array): Sp
 function threshold(values: Float32Array, areas: Float64Array, area: number): number {
   const bits = new Uint32Array(values.buffer, values.byteOffset, values.length);
   const reached = new Float64Array(1 << 15);
-  bits.forEach((each, f) => {
-    reached[each >>> 16] += areas[f];
-  });
+  for (let f = 0; f < bits.length; ++f) reached[bits[f] >>> 16] += areas[f];
   let step = reached.length - 1;
   for (let left = area; step > 0 && reached[step] < left; --step) left -= reached[step];
   return new Float32Array(Uint32Array.of(step << 16).buffer)[0];

@@ -11,11 +11,14 @@ export function outline(
   { front, right, top }: Record<'front' | 'right' | 'top', readonly number[]>,
 ): Float32Array {
   const used = usedVertices(points.length / 3, indices);
-  const along = (direction: readonly number[]) =>
-    Float64Array.from(used, (v) => {
-      const [x, y, z] = [points[3 * v], points[3 * v + 1], points[3 * v + 2]];
-      return x * direction[0] + y * direction[1] + z * direction[2];
-    });
+  const along = ([x, y, z]: readonly number[]) => {
+    const values = new Float64Array(used.length);
+    for (let i = 0; i < used.length; ++i) {
+      const v = 3 * used[i];
+      values[i] = points[v] * x + points[v + 1] * y + points[v + 2] * z;
+    }
+    return values;
+  };
   const depth = along(front);
   const corners = [right, top].flatMap((axis) => hull(along(axis), depth));
   return Float32Array.from(
@@ -46,7 +49,8 @@ export function farthest(points: Float32Array, indices: Uint32Array): Float32Arr
 function farthestAlong(p: Float32Array, used: Uint32Array, x: number, y: number, z: number) {
   let farthest = used[0];
   let most = -Infinity;
-  for (const v of used) {
+  for (let i = 0; i < used.length; ++i) {
+    const v = used[i];
     const along = p[3 * v] * x + p[3 * v + 1] * y + p[3 * v + 2] * z;
     if (along <= most) continue;
     most = along;
@@ -57,9 +61,9 @@ function farthestAlong(p: Float32Array, used: Uint32Array, x: number, y: number,
 
 function usedVertices(count: number, indices: Uint32Array): Uint32Array {
   const isUsed = new Uint8Array(count);
-  for (const v of indices) isUsed[v] = 1;
+  for (let c = 0; c < indices.length; ++c) isUsed[indices[c]] = 1;
   let size = 0;
-  for (const each of isUsed) size += each;
+  for (let v = 0; v < count; ++v) size += isUsed[v];
   const used = new Uint32Array(size);
   for (let v = 0, i = 0; v < count; ++v) if (isUsed[v]) used[i++] = v;
   return used;

@@ -1,7 +1,14 @@
 import type { ChartReport } from 'abflat';
 import { chartColors } from '../colors/chart-colors';
 import { type ChartAreas, chartAreas } from '../mesh/chart-areas';
-import { boundaryEdges, type DisplayMesh, type FlatMesh, vertexNormals } from '../mesh/mesh';
+import {
+  areasOf,
+  boundaryEdges,
+  type DisplayMesh,
+  type FlatMesh,
+  type TriangleAreas,
+  vertexNormals,
+} from '../mesh/mesh';
 import { meshCorners } from '../mesh/source-corners';
 import { toUnitSquare } from '../mesh/unit-square';
 import { weld } from '../mesh/weld';
@@ -21,6 +28,7 @@ export interface Picture {
 /** A layout with everything that is marked in it. */
 export interface FlatPicture extends Picture {
   mesh: FlatMesh;
+  sizes: TriangleAreas;
   heat: Heat;
   /** Vertices with a tightened bound. */
   tightened: Uint32Array;
@@ -67,19 +75,21 @@ export function atlasPicture(
   const { uv, indices, vertexMap, chartOfTriangle } = atlas;
   const positions = positionsOf(atlas, input);
   const mesh = { positions, indices, uv };
+  const sizes = areasOf(mesh);
   const none = new Uint32Array();
   const edges = edgesOfOne(indices, weldInCharts(atlas));
   const places = weld(positions, 3);
   return {
     mesh,
+    sizes,
     edges,
     // The surface is smooth across seams.
     normals: pick(vertexNormals(input), 3, vertexMap),
-    heat: heatOf(mesh, chartOfTriangle),
+    heat: heatOf(mesh, chartOfTriangle, sizes),
     tightened: none,
     resisting: none,
     charts: chartOfTriangle,
-    areas: chartAreas(mesh, chartOfTriangle, chartCount, { asked, faces: input.faces }),
+    areas: chartAreas(sizes, chartOfTriangle, chartCount, { asked, faces: input.faces }),
     tiles,
     source: meshCorners(input, atlas),
     chartColors: chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }, colors),
@@ -89,10 +99,12 @@ export function atlasPicture(
 /** Vertices at the same point of the same chart count as one; charts may lie on top of each other. */
 function weldInCharts({ uv, indices, chartOfTriangle }: AtlasArrays): Uint32Array {
   const points = new Float64Array((3 * uv.length) / 2);
-  for (let v = 0; 2 * v < uv.length; ++v) points.set([uv[2 * v], uv[2 * v + 1]], 3 * v);
-  indices.forEach((v, c) => {
-    points[3 * v + 2] = chartOfTriangle[Math.floor(c / 3)];
-  });
+  for (let v = 0; 2 * v < uv.length; ++v) {
+    points[3 * v] = uv[2 * v];
+    points[3 * v + 1] = uv[2 * v + 1];
+  }
+  for (let c = 0; c < indices.length; ++c)
+    points[3 * indices[c] + 2] = chartOfTriangle[Math.floor(c / 3)];
   return weld(points, 3);
 }
 
@@ -101,7 +113,9 @@ function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
   const joined = new Uint32Array(indices.length);
   let size = 0;
   for (let c = 0; c < indices.length; c += 3) {
-    const [i, j, k] = [same[indices[c]], same[indices[c + 1]], same[indices[c + 2]]];
+    const i = same[indices[c]];
+    const j = same[indices[c + 1]];
+    const k = same[indices[c + 2]];
     if (i === j || j === k || k === i) continue; // no area, no edges
     joined[size++] = i;
     joined[size++] = j;
@@ -134,7 +148,9 @@ export function flatPicture(
   const tightened = edges.filter((v, i) => i % 2 === 0 && bounded.has(vertexMap[v]));
   const resisting = edgesOf(layout, chart?.delaunay?.resisting ?? []);
   const source = meshCorners(input, layout);
-  return { mesh, edges, heat: heatOf(mesh), tightened, boundary, resisting, source };
+  const sizes = areasOf(mesh);
+  const heat = heatOf(mesh, undefined, sizes);
+  return { mesh, sizes, edges, heat, tightened, boundary, resisting, source };
 }
 
 /**
@@ -146,7 +162,8 @@ function edgesOf({ indices, vertexMap }: LayoutArrays, asked: [number, number][]
   const left = new Set(asked.map(([a, b]) => key(a, b)));
   const found: number[] = [];
   for (let h = 0; left.size > 0 && h < indices.length; ++h) {
-    const [a, b] = [indices[h], indices[h % 3 === 2 ? h - 2 : h + 1]];
+    const a = indices[h];
+    const b = indices[h % 3 === 2 ? h - 2 : h + 1];
     if (left.delete(key(vertexMap[a], vertexMap[b]))) found.push(a, b);
   }
   return Uint32Array.from(found);

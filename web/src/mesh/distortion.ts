@@ -1,4 +1,4 @@
-import { type FlatMesh, triangleAreas } from './mesh';
+import { areasOf, type FlatMesh, type TriangleAreas } from './mesh';
 
 /** How each triangle of a layout differs from the triangle in 3D. Without area there: angle 0, area 1, stretch 1. */
 export interface Distortions {
@@ -18,10 +18,12 @@ export interface Distortions {
   area3d: Float64Array;
 }
 
-/** `charts`: the chart of each triangle; without, all are one. */
-export function distortionsOf(mesh: FlatMesh, charts?: Uint32Array): Distortions {
-  const in3d = triangleAreas(mesh.positions, 3, mesh.indices);
-  const inUv = triangleAreas(mesh.uv, 2, mesh.indices);
+/** `charts`: the chart of each triangle; without, all are one. `areas`: `areasOf` the mesh. */
+export function distortionsOf(
+  mesh: FlatMesh,
+  charts?: Uint32Array,
+  { in3d, inUv }: TriangleAreas = areasOf(mesh),
+): Distortions {
   const whole = areaScale(in3d, inUv);
   const scales = charts && chartScales(in3d, inUv, charts);
   const count = in3d.length;
@@ -31,30 +33,41 @@ export function distortionsOf(mesh: FlatMesh, charts?: Uint32Array): Distortions
     stretch: new Float32Array(count).fill(1),
     area3d: in3d,
   };
+  const before = new Float64Array(3);
+  const after = new Float64Array(3);
   for (let f = 0; f < count; ++f) {
-    const before = lengths(mesh.positions, 3, mesh.indices, f);
-    const after = lengths(mesh.uv, 2, mesh.indices, f);
+    measure(mesh.positions, 3, mesh.indices, f, before);
+    measure(mesh.uv, 2, mesh.indices, f, after);
     const error = angleError(before, after);
     if (!(in3d[f] > 0) || !Number.isFinite(error)) continue;
     found.angle[f] = error;
     found.area[f] = (whole * inUv[f]) / in3d[f];
     const scale = scales ? scales[(charts as Uint32Array)[f]] : whole;
-    found.stretch[f] = energy(before, after, { in3d: in3d[f], inUv: inUv[f] }, scale);
+    found.stretch[f] = energy(before, after, in3d[f], inUv[f], scale);
   }
   return found;
 }
 
-type Lengths = [number, number, number];
+/** The lengths of the sides of triangle f, each opposite its corner. */
+function measure(
+  points: Float64Array,
+  size: number,
+  indices: Uint32Array,
+  f: number,
+  lengths: Float64Array,
+): void {
+  const i = indices[3 * f];
+  const j = indices[3 * f + 1];
+  const k = indices[3 * f + 2];
+  lengths[0] = distance(points, size, j, k);
+  lengths[1] = distance(points, size, k, i);
+  lengths[2] = distance(points, size, i, j);
+}
 
-/** Of the sides of triangle f, each opposite its corner. */
-function lengths(p: Float64Array, size: number, indices: Uint32Array, f: number): Lengths {
-  const distance = (v: number, w: number) => {
-    let sum = 0;
-    for (let d = 0; d < size; ++d) sum += (p[size * v + d] - p[size * w + d]) ** 2;
-    return Math.sqrt(sum);
-  };
-  const [i, j, k] = [indices[3 * f], indices[3 * f + 1], indices[3 * f + 2]];
-  return [distance(j, k), distance(k, i), distance(i, j)];
+function distance(p: Float64Array, size: number, v: number, w: number): number {
+  let sum = 0;
+  for (let d = 0; d < size; ++d) sum += (p[size * v + d] - p[size * w + d]) ** 2;
+  return Math.sqrt(sum);
 }
 
 /** Interior angle opposite the first side, radians. */
@@ -63,19 +76,15 @@ function angle(opposite: number, s: number, t: number): number {
   return Math.acos(Math.min(1, Math.max(-1, cosine)));
 }
 
-function angleError(before: Lengths, after: Lengths): number {
+function angleError(before: Float64Array, after: Float64Array): number {
   let sum = 0;
   for (let k = 0; k < 3; ++k) {
-    const [l, m] = [(k + 1) % 3, (k + 2) % 3];
+    const l = (k + 1) % 3;
+    const m = (k + 2) % 3;
     const alpha = angle(before[k], before[l], before[m]);
     sum += ((angle(after[k], after[l], after[m]) - alpha) / alpha) ** 2;
   }
   return Math.sqrt(sum / 3);
-}
-
-interface Areas {
-  in3d: number;
-  inUv: number;
 }
 
 /**
@@ -83,10 +92,18 @@ interface Areas {
  * the sum of the squared sides in uv, each weighted by the cotangent of the angle opposite it in 3D, over twice the area
  * in 3D; σ₁σ₂ is the ratio of the areas.
  */
-function energy(before: Lengths, after: Lengths, { in3d, inUv }: Areas, scale: number): number {
+function energy(
+  before: Float64Array,
+  after: Float64Array,
+  in3d: number,
+  inUv: number,
+  scale: number,
+): number {
   let sum = 0;
   for (let k = 0; k < 3; ++k) {
-    const [a, b, c] = [before[k], before[(k + 1) % 3], before[(k + 2) % 3]];
+    const a = before[k];
+    const b = before[(k + 1) % 3];
+    const c = before[(k + 2) % 3];
     const cotangent = (b * b + c * c - a * a) / (4 * in3d);
     sum += cotangent * after[k] * after[k];
   }
@@ -95,18 +112,25 @@ function energy(before: Lengths, after: Lengths, { in3d, inUv }: Areas, scale: n
   return (squares + squares / (ratio * ratio)) / 4;
 }
 
+export function sum(values: Float64Array): number {
+  let total = 0;
+  for (let i = 0; i < values.length; ++i) total += values[i];
+  return total;
+}
+
 /** What areas in uv are multiplied by to add up to those in 3D. */
 function areaScale(in3d: Float64Array, inUv: Float64Array): number {
-  const sum = (areas: Float64Array) => areas.reduce((total, area) => total + area, 0);
   return sum(in3d) / sum(inUv);
 }
 
 function chartScales(in3d: Float64Array, inUv: Float64Array, charts: Uint32Array): Float64Array {
-  const count = charts.reduce((most, chart) => Math.max(most, chart + 1), 0);
-  const [before, after] = [new Float64Array(count), new Float64Array(count)];
-  charts.forEach((chart, f) => {
-    before[chart] += in3d[f];
-    after[chart] += inUv[f];
-  });
+  let count = 0;
+  for (let f = 0; f < charts.length; ++f) if (charts[f] >= count) count = charts[f] + 1;
+  const before = new Float64Array(count);
+  const after = new Float64Array(count);
+  for (let f = 0; f < charts.length; ++f) {
+    before[charts[f]] += in3d[f];
+    after[charts[f]] += inUv[f];
+  }
   return before.map((area, chart) => area / after[chart]);
 }

@@ -26,9 +26,10 @@ export interface Box {
 export function boundingBox(points: Float64Array, size: number, vertices: Uint32Array): Box {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (const v of vertices) {
+  for (let i = 0; i < vertices.length; ++i) {
+    const v = size * vertices[i];
     for (let d = 0; d < size; ++d) {
-      const x = points[size * v + d];
+      const x = points[v + d];
       if (x < low[d]) low[d] = x;
       if (x > high[d]) high[d] = x;
     }
@@ -53,8 +54,10 @@ export function boundaryEdges(indices: Uint32Array): Uint32Array {
   const uses = new Uint8Array(indices.length);
   let boundarySize = 0;
   for (let h = 0; h < indices.length; ++h) {
-    const [a, b] = [indices[h], indices[next(h)]];
-    const [low, high] = a < b ? [a, b] : [b, a];
+    const a = indices[h];
+    const b = indices[next(h)];
+    const low = a < b ? a : b;
+    const high = a < b ? b : a;
     let hash = Math.imul(low, 0x9e3779b1) ^ Math.imul(high, 0x85ebca6b);
     hash ^= hash >>> 15;
     for (let slot = hash & (slotCount - 1); ; slot = (slot + 1) & (slotCount - 1)) {
@@ -89,9 +92,15 @@ export function areaVectors({
 }): Float64Array {
   const areas = new Float64Array(indices.length);
   for (let c = 0; c < indices.length; c += 3) {
-    const [i, j, k] = [3 * indices[c], 3 * indices[c + 1], 3 * indices[c + 2]];
-    const [ax, ay, az] = [p[j] - p[i], p[j + 1] - p[i + 1], p[j + 2] - p[i + 2]];
-    const [bx, by, bz] = [p[k] - p[i], p[k + 1] - p[i + 1], p[k + 2] - p[i + 2]];
+    const i = 3 * indices[c];
+    const j = 3 * indices[c + 1];
+    const k = 3 * indices[c + 2];
+    const ax = p[j] - p[i];
+    const ay = p[j + 1] - p[i + 1];
+    const az = p[j + 2] - p[i + 2];
+    const bx = p[k] - p[i];
+    const by = p[k + 1] - p[i + 1];
+    const bz = p[k + 2] - p[i + 2];
     areas[c] = (ay * bz - az * by) / 2;
     areas[c + 1] = (az * bx - ax * bz) / 2;
     areas[c + 2] = (ax * by - ay * bx) / 2;
@@ -99,27 +108,45 @@ export function areaVectors({
   return areas;
 }
 
-/** Area of each triangle, given points with `size` coordinates, at most 3. */
-export function triangleAreas(p: Float64Array, size: number, indices: Uint32Array): Float64Array {
+/** Area of each triangle, given points with `size` coordinates. */
+export function triangleAreas(p: Float64Array, size: 2 | 3, indices: Uint32Array): Float64Array {
   const areas = new Float64Array(indices.length / 3);
-  const along = (from: number, to: number, d: number) =>
-    d < size ? p[size * to + d] - p[size * from + d] : 0;
   for (let f = 0; f < areas.length; ++f) {
-    const [i, j, k] = [indices[3 * f], indices[3 * f + 1], indices[3 * f + 2]];
-    const [ax, ay, az] = [along(i, j, 0), along(i, j, 1), along(i, j, 2)];
-    const [bx, by, bz] = [along(i, k, 0), along(i, k, 1), along(i, k, 2)];
+    const i = size * indices[3 * f];
+    const j = size * indices[3 * f + 1];
+    const k = size * indices[3 * f + 2];
+    const ax = p[j] - p[i];
+    const ay = p[j + 1] - p[i + 1];
+    const az = size === 3 ? p[j + 2] - p[i + 2] : 0;
+    const bx = p[k] - p[i];
+    const by = p[k + 1] - p[i + 1];
+    const bz = size === 3 ? p[k + 2] - p[i + 2] : 0;
     areas[f] = Math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / 2;
   }
   return areas;
 }
+
+/** Area of each triangle of a layout, on the surface and in uv. */
+export interface TriangleAreas {
+  in3d: Float64Array;
+  inUv: Float64Array;
+}
+
+export const areasOf = ({ positions, uv, indices }: FlatMesh): TriangleAreas => ({
+  in3d: triangleAreas(positions, 3, indices),
+  inUv: triangleAreas(uv, 2, indices),
+});
 
 /** Unit normals per vertex, weighted by area; 0 if there is no area. */
 export function vertexNormals(mesh: DisplayMesh): Float32Array {
   const areas = areaVectors(mesh);
   const sums = new Float64Array(mesh.positions.length);
   for (let c = 0; c < mesh.indices.length; ++c) {
-    const [v, f] = [mesh.indices[c], c - (c % 3)];
-    for (let d = 0; d < 3; ++d) sums[3 * v + d] += areas[f + d];
+    const v = 3 * mesh.indices[c];
+    const f = c - (c % 3);
+    sums[v] += areas[f];
+    sums[v + 1] += areas[f + 1];
+    sums[v + 2] += areas[f + 2];
   }
   const normals = new Float32Array(sums.length);
   for (let i = 0; i < sums.length; i += 3) {
@@ -176,6 +203,6 @@ export function perCorner(
 /** Copies one value per triangle to its three corners. */
 export function toCorners(perTriangle: Float32Array | Uint32Array): Float32Array {
   const corners = new Float32Array(3 * perTriangle.length);
-  for (let f = 0; f < perTriangle.length; ++f) corners.fill(perTriangle[f], 3 * f, 3 * f + 3);
+  for (let c = 0; c < corners.length; ++c) corners[c] = perTriangle[(c - (c % 3)) / 3];
   return corners;
 }

@@ -8,12 +8,9 @@ export function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array 
   const { min, max } = boundingBox(positions, 3, indices);
   const [x, y, z] = min.map((low, d) => (low + max[d]) / 2);
   let radius = 0;
-  for (const v of indices) {
-    const away = Math.hypot(
-      positions[3 * v] - x,
-      positions[3 * v + 1] - y,
-      positions[3 * v + 2] - z,
-    );
+  for (let c = 0; c < indices.length; ++c) {
+    const i = 3 * indices[c];
+    const away = Math.hypot(positions[i] - x, positions[i + 1] - y, positions[i + 2] - z);
     if (away > radius) radius = away;
   }
   const points = new Float32Array(positions.length);

@@ -3,7 +3,9 @@ import type { ArrayMesh } from './mesh';
 /** For every point (`size` coordinates each), the first point with the same coordinates. */
 export function weld(points: Float64Array, size: number): Uint32Array {
   const count = points.length / size;
-  const bits = new Uint32Array(Float64Array.from(points, (x) => x + 0).buffer); // no negative zero
+  const numbers = new Float64Array(points.length);
+  for (let i = 0; i < points.length; ++i) numbers[i] = points[i] + 0; // no negative zero
+  const bits = new Uint32Array(numbers.buffer);
   let slotCount = 16;
   while (slotCount < 2 * count) slotCount *= 2;
   const EMPTY = 0xffffffff;

@@ -20,6 +20,8 @@ export function makeSurface(mesh: DisplayMesh, isDisk: boolean): SurfaceArrays {
 
 /** In a disk, separate vertices stay separate, even if they are at one place. */
 function placesOf({ positions }: DisplayMesh, isDisk: boolean): Uint32Array {
-  if (isDisk) return Uint32Array.from({ length: positions.length / 3 }, (_, v) => v);
-  return weld(positions, 3);
+  if (!isDisk) return weld(positions, 3);
+  const places = new Uint32Array(positions.length / 3);
+  for (let v = 0; v < places.length; ++v) places[v] = v;
+  return places;
 }

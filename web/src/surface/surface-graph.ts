@@ -46,7 +46,8 @@ export function surfaceGraph(
   const lengths = new Float64Array(uses.length);
   const isInner = new Uint8Array(uses.length);
   for (let e = 0; e < uses.length; ++e) {
-    const [a, b] = [3 * ends[2 * e], 3 * ends[2 * e + 1]];
+    const a = 3 * ends[2 * e];
+    const b = 3 * ends[2 * e + 1];
     isInner[e] = Number(uses[e] > 1);
     lengths[e] = Math.hypot(
       positions[a] - positions[b],
@@ -54,14 +55,17 @@ export function surfaceGraph(
       positions[a + 2] - positions[b + 2],
     );
     if (uses[e] > 2) continue;
-    const [s, t] = triangles.subarray(2 * e, 2 * e + uses[e]);
+    const s = triangles[2 * e];
     sides[2 * e] = faces ? faces[s] : s;
-    if (t === undefined) continue;
+    if (uses[e] < 2) continue;
+    const t = triangles[2 * e + 1];
     sides[2 * e + 1] = faces ? faces[t] : t;
-    const runs = (triangle: number) =>
-      runsAlong(indices, places, triangle, ends[2 * e], ends[2 * e + 1]);
+    const from = ends[2 * e];
+    const to = ends[2 * e + 1];
     // Neighbours that face opposite ways run along their edge in the same direction.
-    bends[e] = degreesBetween(areas, 3 * s, 3 * t, runs(s) === runs(t) ? -1 : 1);
+    const areOpposite =
+      runsAlong(indices, places, s, from, to) === runsAlong(indices, places, t, from, to);
+    bends[e] = degreesBetween(areas, 3 * s, 3 * t, areOpposite ? -1 : 1);
   }
   const isTriangular = faces === undefined;
   return {
@@ -90,8 +94,10 @@ function runsAlong(
   from: number,
   to: number,
 ): boolean {
-  const at = (k: number) => places[indices[3 * triangle + (k % 3)]];
-  return [0, 1, 2].some((k) => at(k) === from && at(k + 1) === to);
+  const i = places[indices[3 * triangle]];
+  const j = places[indices[3 * triangle + 1]];
+  const k = places[indices[3 * triangle + 2]];
+  return (i === from && j === to) || (j === from && k === to) || (k === from && i === to);
 }
 
 /**
@@ -118,7 +124,9 @@ function sortedSides(indices: Uint32Array, places: Uint32Array): Sides {
     triangle[size++] = t;
   };
   for (let c = 0; c < indices.length; c += 3) {
-    const [i, j, k] = [places[indices[c]], places[indices[c + 1]], places[indices[c + 2]]];
+    const i = places[indices[c]];
+    const j = places[indices[c + 1]];
+    const k = places[indices[c + 2]];
     if (i === j || j === k || k === i) continue; // no area, no edges
     add(i, j, c / 3);
     add(j, k, c / 3);
@@ -133,12 +141,10 @@ function sortedSides(indices: Uint32Array, places: Uint32Array): Sides {
 /** The indices of keys below `most`, smallest key first, equal ones in their order. */
 function ordered(keys: Uint32Array, most: number): Uint32Array {
   const next = new Uint32Array(most + 1);
-  for (const key of keys) next[key + 1] += 1;
+  for (let i = 0; i < keys.length; ++i) next[keys[i] + 1] += 1;
   for (let key = 0; key < most; ++key) next[key + 1] += next[key];
   const order = new Uint32Array(keys.length);
-  keys.forEach((key, i) => {
-    order[next[key]++] = i;
-  });
+  for (let i = 0; i < keys.length; ++i) order[next[keys[i]]++] = i;
   return order;
 }
 
@@ -200,12 +206,10 @@ function isInside(
 
 function around(ends: Uint32Array, placeCount: number) {
   const firstAt = new Uint32Array(placeCount + 1);
-  for (const v of ends) firstAt[v + 1] += 1;
+  for (let i = 0; i < ends.length; ++i) firstAt[ends[i] + 1] += 1;
   for (let v = 0; v < placeCount; ++v) firstAt[v + 1] += firstAt[v];
   const edgesAt = new Uint32Array(ends.length);
   const next = firstAt.slice();
-  ends.forEach((v, i) => {
-    edgesAt[next[v]++] = i >> 1;
-  });
+  for (let i = 0; i < ends.length; ++i) edgesAt[next[ends[i]]++] = i >> 1;
   return { firstAt, edgesAt };
 }
