@@ -11,13 +11,15 @@ import type { FlatPicture, Picture } from './picture';
 export function drawMesh(picture: Picture): Drawing {
   const { mesh } = picture;
   const unit = toUnitSphere(mesh);
-  const front = frontOf(facing(mesh));
+  const areas = areaVectors(mesh);
+  const front = frontOf(facing(mesh, areas));
   const first = {
     front,
     outline: outline(unit, mesh.indices, axesOf(front)),
     hull: farthest(unit, mesh.indices),
   };
-  return { mesh: { ...surface(picture, unit), first } };
+  const normals = vertexNormals(mesh, areas);
+  return { mesh: { ...surface({ normals, ...picture }, unit), first } };
 }
 
 export function drawFlatMesh(picture: FlatPicture, chartCount: number): MeshDrawing {

@@ -1,4 +1,5 @@
 import { hull } from '../base/hull';
+import { usedVertices } from '../mesh/mesh';
 
 /**
  * Of the points (xyz each) named by `indices`, those that bound the others when seen along any
@@ -57,14 +58,4 @@ function farthestAlong(p: Float32Array, used: Uint32Array, x: number, y: number,
     farthest = v;
   }
   return farthest;
-}
-
-function usedVertices(count: number, indices: Uint32Array): Uint32Array {
-  const isUsed = new Uint8Array(count);
-  for (let c = 0; c < indices.length; ++c) isUsed[indices[c]] = 1;
-  let size = 0;
-  for (let v = 0; v < count; ++v) size += isUsed[v];
-  const used = new Uint32Array(size);
-  for (let v = 0, i = 0; v < count; ++v) if (isUsed[v]) used[i++] = v;
-  return used;
 }

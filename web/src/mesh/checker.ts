@@ -1,4 +1,4 @@
-import { areasOf, boundingBox, type FlatMesh, type TriangleAreas } from './mesh';
+import { areasOf, boundingBox, type FlatMesh, type TriangleAreas, usedVertices } from './mesh';
 
 /**
  * Checker cells along the diagonal of the mesh's box, if the layout neither shrinks nor enlarges
@@ -27,10 +27,11 @@ export interface Cells {
 
 /** The cell suits the typical place of the surface, not the most stretched one. */
 export function checkerCells(mesh: FlatMesh, areas = areasOf(mesh)): Cells {
-  const { min, max } = boundingBox(mesh.positions, 3, mesh.indices);
+  const used = usedVertices(mesh.uv.length / 2, mesh.indices);
+  const { min, max } = boundingBox(mesh.positions, 3, used);
   const diagonal = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
   const cell = (meanScale(areas) * diagonal) / CELLS || 1;
-  const [u, v] = boundingBox(mesh.uv, 2, mesh.indices).min;
+  const [u, v] = boundingBox(mesh.uv, 2, used).min;
   return { origin: [u, v], cell };
 }
 

@@ -43,6 +43,17 @@ export function boundingBox(points: Float64Array, size: number, vertices: Uint32
   return box;
 }
 
+/** The vertices that triangles have, in ascending order. */
+export function usedVertices(count: number, indices: Uint32Array): Uint32Array {
+  const isUsed = new Uint8Array(count);
+  for (let c = 0; c < indices.length; ++c) isUsed[indices[c]] = 1;
+  let size = 0;
+  for (let v = 0; v < count; ++v) size += isUsed[v];
+  const used = new Uint32Array(size);
+  for (let v = 0, i = 0; v < count; ++v) if (isUsed[v]) used[i++] = v;
+  return used;
+}
+
 /** Edges with exactly one triangle, as pairs of vertices in the direction of their triangle. */
 export function boundaryEdges(indices: Uint32Array): Uint32Array {
   const next = (h: number) => (h % 3 === 2 ? h - 2 : h + 1);
@@ -138,8 +149,7 @@ export const areasOf = ({ positions, uv, indices }: FlatMesh): TriangleAreas => 
 });
 
 /** Unit normals per vertex, weighted by area; 0 if there is no area. */
-export function vertexNormals(mesh: DisplayMesh): Float32Array {
-  const areas = areaVectors(mesh);
+export function vertexNormals(mesh: DisplayMesh, areas = areaVectors(mesh)): Float32Array {
   const sums = new Float64Array(mesh.positions.length);
   for (let c = 0; c < mesh.indices.length; ++c) {
     const v = 3 * mesh.indices[c];
@@ -160,8 +170,7 @@ export function vertexNormals(mesh: DisplayMesh): Float32Array {
  * The direction that an open surface faces, and how clearly: 1 for a plane, 0 for a closed surface.
  * The vector areas of a surface sum to that of its hole.
  */
-export function facing(mesh: DisplayMesh): Facing {
-  const areas = areaVectors(mesh);
+export function facing(mesh: DisplayMesh, areas = areaVectors(mesh)): Facing {
   const sum = [0, 0, 0];
   let total = 0;
   for (let i = 0; i < areas.length; i += 3) {
@@ -189,13 +198,16 @@ export function facingOf([x, y, z]: ArrayLike<number> & Iterable<number>, total:
  */
 export function perCorner(
   values: Float32Array | Float64Array,
-  size: number,
+  size: 2 | 3,
   indices: Uint32Array,
 ): Float32Array {
   const corners = new Float32Array(size * indices.length);
   for (let c = 0; c < indices.length; ++c) {
-    const v = indices[c];
-    for (let d = 0; d < size; ++d) corners[size * c + d] = values[size * v + d];
+    const to = size * c;
+    const from = size * indices[c];
+    corners[to] = values[from];
+    corners[to + 1] = values[from + 1];
+    if (size === 3) corners[to + 2] = values[from + 2];
   }
   return corners;
 }

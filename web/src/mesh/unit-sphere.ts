@@ -1,15 +1,16 @@
-import { boundingBox, type DisplayMesh } from './mesh';
+import { boundingBox, type DisplayMesh, usedVertices } from './mesh';
 
 /**
  * Positions moved and scaled so that the triangles lie in the unit sphere around the centre of
  * their box, which preserves the precision of float32.
  */
 export function toUnitSphere({ positions, indices }: DisplayMesh): Float32Array {
-  const { min, max } = boundingBox(positions, 3, indices);
+  const used = usedVertices(positions.length / 3, indices);
+  const { min, max } = boundingBox(positions, 3, used);
   const [x, y, z] = min.map((low, d) => (low + max[d]) / 2);
   let radius = 0;
-  for (let c = 0; c < indices.length; ++c) {
-    const i = 3 * indices[c];
+  for (let at = 0; at < used.length; ++at) {
+    const i = 3 * used[at];
     const away = Math.hypot(positions[i] - x, positions[i + 1] - y, positions[i + 2] - z);
     if (away > radius) radius = away;
   }
