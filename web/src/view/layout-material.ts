@@ -13,20 +13,25 @@ const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   ${LOOK_VERTEX_GLSL}
   uniform bool showsMaterials;
+#ifdef HEAT
   attribute vec3 heat;
+  flat varying vec3 vHeat;
+#endif
   ${FLAGS_GLSL}
   ${MOTION_GLSL}
   ${BEND_GLSL}
   attribute float chart, piece;
   varying vec3 vCorner;
   varying vec2 vPlace;
-  flat varying vec3 vHeat, vFlag;
+  flat varying vec3 vFlag;
   flat varying float vChart, vPiece;
   void main() {
     vCorner = cornerOf(gl_VertexID);
     vFlag = flagsOf(piece);
     vPlace = moved(position.xy, vFlag) + bent();
+#ifdef HEAT
     vHeat = heat;
+#endif
     vChart = chart;
     vPiece = piece;
 #ifdef LOOK
@@ -41,9 +46,14 @@ const VERTEX = /* glsl */ `
 // The fill is translucent: where the layout overlaps itself, it is darker.
 const FRAGMENT = /* glsl */ `
   ${EDGE_GLSL}
+#ifdef HEAT
   ${HEAT_GLSL}
-  ${CHART_GLSL}
+  flat varying vec3 vHeat;
+#endif
+#ifdef PICTURE
   ${PICTURE_GLSL}
+#endif
+  ${CHART_GLSL}
   ${LOOK_GLSL}
   uniform bool showsHeat, showsCharts, showsGrid, showsMaterials, showsImage;
   uniform vec2 uvMiddle;
@@ -52,7 +62,7 @@ const FRAGMENT = /* glsl */ `
   uniform vec3 fill, edge, flipped;
   varying vec3 vCorner;
   varying vec2 vPlace;
-  flat varying vec3 vHeat, vFlag;
+  flat varying vec3 vFlag;
   flat varying float vChart, vPiece;
   void main() {
 #ifdef LOOK
@@ -61,8 +71,12 @@ const FRAGMENT = /* glsl */ `
     if (vFlag.r > 0.5) discard;
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
+#ifdef HEAT
     if (showsHeat) base = heatColor(vHeat);
+#endif
+#ifdef PICTURE
     if (showsGrid) base = pictureColor(uvMiddle + uvUnit * vPlace).rgb;
+#endif
     bool isPainted = showsHeat || showsCharts || showsGrid;
     float alpha = isPainted ? 0.9 : 0.75;
 #ifdef LOOK
@@ -77,7 +91,10 @@ const FRAGMENT = /* glsl */ `
     if (showsImage) alpha = !gl_FrontFacing ? 0.6 : vFlag.g > 0.5 || vPiece == lit ? 0.25 : 0.1;
     if (!gl_FrontFacing) base = flipped;
     base = mix(base, vec3(1.0), 0.25 * vFlag.g);
-    bool isDim = (lit >= 0.0 && vPiece != lit) || (showsHeat && !isChosen(vHeat));
+    bool isDim = lit >= 0.0 && vPiece != lit;
+#ifdef HEAT
+    if (showsHeat) isDim = isDim || !isChosen(vHeat);
+#endif
     if (isDim) alpha = showsImage ? 0.0 : 0.25;
     float line = edgeCoverage(vCorner, pixelRatio) * (isPainted ? 0.45 : 0.85);
     if (showsMaterials || showsImage) line = 0.0; // only the outlines of charts lie above the picture
@@ -89,7 +106,8 @@ const FRAGMENT = /* glsl */ `
 /**
  * Material of the uv layout. Its geometry has no index and has the attributes heat (a place on
  * the ramp for each measure), chart (number of its colour), piece (number of the chart itself),
- * source (see look-shader.ts) and, while a pin is dragged, weight (see bending.ts).
+ * source (see look-shader.ts) and, while a pin is dragged, weight (see bending.ts). HEAT, PICTURE and
+ * LOOK are defined while they are needed.
  */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({

@@ -23,15 +23,12 @@ export const lookUniforms = () => ({
   images: { value: null },
 });
 
-/** Defined in shaders while a mesh has a look: those of others are smaller without. */
-export const LOOK = 'LOOK';
-
 /**
- * `readLook` reads how the corner looks in the file: its place in the image, tint and material. Not
+ * With LOOK, `readLook` reads how the corner looks in the file: its place in the image, tint and material. Not
  * needed unless `isShown`. `source` is 0 where the triangles are those of the mesh that was opened.
  */
 export const LOOK_VERTEX_GLSL = /* glsl */ `
-#ifdef ${LOOK}
+#ifdef LOOK
   uniform highp usampler2D cornerLooks;
   attribute float source;
   varying vec2 vTexel;
@@ -58,11 +55,11 @@ export const LOOK_VERTEX_GLSL = /* glsl */ `
 `;
 
 /**
- * `lookColor` is the colour in the file, linear, and what is seen of it: all, nothing, or with
+ * With LOOK, `lookColor` is the colour in the file, linear, and what is seen of it: all, nothing, or with
  * BLENDED a part. `isUnlit` tells whether light makes no difference.
  */
 export const LOOK_GLSL = /* glsl */ `
-#ifdef ${LOOK}
+#ifdef LOOK
   uniform sampler2D materialLooks;
   uniform highp sampler2DArray images;
   varying vec2 vTexel;

@@ -12,7 +12,8 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { type Appearance, CORNERS_PER_ROW, type MaterialLook } from '../model/appearance';
-import { cornerTexture, LOOK, MATERIAL_TEXELS } from './look-shader';
+import { define } from './define';
+import { cornerTexture, MATERIAL_TEXELS } from './look-shader';
 
 /** Puts how a surface looks on the graphics card of one view. */
 export class LookTextures {
@@ -39,7 +40,7 @@ export class LookTextures {
     const rows = (wanted?.corners.length ?? 0) / (4 * CORNERS_PER_ROW);
     const appearance = rows <= this.renderer.capabilities.maxTextureSize ? wanted : null;
     this.shown = appearance;
-    this.define(appearance !== null);
+    define(this.material, 'LOOK', appearance !== null);
     const { cornerLooks, materialLooks, images } = this.material.uniforms;
     const corners = appearance && cornerTexture(appearance.corners);
     const table = appearance && tableOf(appearance.materials);
@@ -48,12 +49,6 @@ export class LookTextures {
     cornerLooks.value = corners ?? this.noCorners;
     materialLooks.value = table;
     images.value = array;
-  }
-
-  private define(hasLook: boolean): void {
-    if (hasLook === LOOK in this.material.defines) return;
-    this.material.defines = hasLook ? { [LOOK]: '' } : {};
-    this.material.needsUpdate = true;
   }
 }
 

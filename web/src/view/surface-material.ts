@@ -25,21 +25,29 @@ const VERTEX = /* glsl */ `
   ${CORNER_GLSL}
   ${LOOK_VERTEX_GLSL}
   uniform int paint;
-  attribute vec3 heat;
   attribute float chart, piece;
   varying vec3 vNormal;
+#ifdef WIRE
   varying vec3 vCorner;
+#endif
+#ifdef HEAT
+  attribute vec3 heat;
+  flat varying vec3 vHeat;
+#endif
   varying vec3 vView;
   varying vec2 vUv;
-  flat varying vec3 vHeat;
   flat varying float vChart, vPiece;
   void main() {
     vec4 view = modelViewMatrix * vec4(position, 1.0);
     vNormal = normalMatrix * normal;
+#ifdef WIRE
     vCorner = cornerOf(gl_VertexID);
+#endif
     vView = -view.xyz;
     vUv = uv;
+#ifdef HEAT
     vHeat = heat;
+#endif
     vChart = chart;
     vPiece = piece;
 #ifdef LOOK
@@ -51,11 +59,19 @@ const VERTEX = /* glsl */ `
 
 // Three lights (key, fill, rim) fixed to the camera, plus a sky: shape is readable from every side.
 const FRAGMENT = /* glsl */ `
+#ifdef WIRE
   ${EDGE_GLSL}
+  varying vec3 vCorner;
+#endif
+#ifdef HEAT
   ${HEAT_GLSL}
+  flat varying vec3 vHeat;
+#endif
+#ifdef PICTURE
+  ${PICTURE_GLSL}
+#endif
   ${CHECKER_GLSL}
   ${CHART_GLSL}
-  ${PICTURE_GLSL}
   ${FLAGS_GLSL}
   ${LOOK_GLSL}
   uniform int paint;
@@ -66,10 +82,8 @@ const FRAGMENT = /* glsl */ `
   uniform float lit;
   uniform vec3 clay, checkA, checkB, back, wireColor, background;
   varying vec3 vNormal;
-  varying vec3 vCorner;
   varying vec3 vView;
   varying vec2 vUv;
-  flat varying vec3 vHeat;
   flat varying float vChart, vPiece;
 
   vec3 shade(vec3 base, vec3 n, vec3 v) {
@@ -92,15 +106,16 @@ const FRAGMENT = /* glsl */ `
     if (flag.r > 0.5) discard;
     vec3 base = clay;
     bool isUnlit = false;
-    if (paint == 2) base = heatColor(vHeat);
     if (paint == 1 || paint == 3) {
       float light = checker(vUv);
       base = paint == 1 ? mix(checkB, checkA, light) : chartColor(vChart) * mix(0.8, 1.0, light);
     }
+#ifdef PICTURE
     if (paint == 4) {
       vec4 texel = pictureColor(uvOrigin + uvCell * vUv);
       base = mix(clay, texel.rgb, texel.a);
     }
+#endif
 #ifdef LOOK
     if (paint == 5) {
       vec4 look = lookColor(dx, dy, isUnlit);
@@ -108,7 +123,13 @@ const FRAGMENT = /* glsl */ `
       base = look.rgb;
     }
 #endif
-    bool isDim = (lit >= 0.0 && vPiece != lit) || (paint == 2 && !isChosen(vHeat));
+    bool isDim = lit >= 0.0 && vPiece != lit;
+#ifdef HEAT
+    if (paint == 2) {
+      base = heatColor(vHeat);
+      isDim = isDim || !isChosen(vHeat);
+    }
+#endif
     if (isDim) base = mix(base, background, 0.75);
     base = mix(base, vec3(1.0), 0.25 * flag.g);
     vec3 n = normalize(vNormal);
@@ -117,7 +138,9 @@ const FRAGMENT = /* glsl */ `
       if (paint != 5) base = mix(base, back, 0.6);
     }
     vec3 color = isUnlit ? base : shade(base, n, normalize(vView));
-    if (wire > 0.0) color = mix(color, wireColor, wire * edgeCoverage(vCorner, pixelRatio));
+#ifdef WIRE
+    color = mix(color, wireColor, wire * edgeCoverage(vCorner, pixelRatio));
+#endif
     gl_FragColor = vec4(color, 1.0);
     #include <colorspace_fragment>
   }
@@ -126,7 +149,8 @@ const FRAGMENT = /* glsl */ `
 /**
  * Material of the mesh in 3D. Its geometry has no index and has the attributes normal, uv (in
  * cells), heat (a place on the ramp for each measure), chart (number of its colour), piece (number
- * of the chart itself) and source (see look-shader.ts).
+ * of the chart itself) and source (see look-shader.ts). WIRE, HEAT, PICTURE and LOOK are defined while
+ * they are needed.
  */
 export function createSurfaceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
