@@ -2,8 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { countPrograms, prepareLinking } from './graphics.mjs';
 import { LATER, laterParts } from './later-parts.mjs';
-import { settled } from './page.mjs';
+import { drawn, openPage, settled } from './page.mjs';
 import { takePage } from './pages.mjs';
 
 /** In bytes, compressed. What is not needed for a first look is loaded when it is. */
@@ -36,4 +37,15 @@ test('what was left out comes without being asked for', async (t) => {
   const parts = laterParts(page);
   await page.goto(url);
   for (const response of await parts) assert.equal(response.status(), 200);
+});
+
+test('a first picture compiles no shader that it does not draw with', async (t) => {
+  const page = await openPage(t, { prepare: prepareLinking });
+  await drawn(page);
+  const first = await countPrograms(page);
+  assert.ok(first.drawn >= 4, 'the surface and the lines of two views');
+  assert.equal(first.linked, first.drawn);
+  await page.selectOption('#shading', 'stretch');
+  await drawn(page);
+  assert.ok((await countPrograms(page)).linked > first.linked, 'a heat map is compiled when shown');
 });

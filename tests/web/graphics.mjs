@@ -35,3 +35,28 @@ export const loseContexts = (page, ids) =>
       await restored;
     }
   }, ids);
+
+/** Notes which programs the views of a page link, and which they draw with. */
+export const prepareLinking = (page) =>
+  page.addInitScript(() => {
+    const { prototype } = WebGL2RenderingContext;
+    globalThis.programs = { linked: new Set(), drawn: new Set() };
+    const watch = (name, note) => {
+      const original = prototype[name];
+      prototype[name] = function (...parameters) {
+        note(this, parameters);
+        return original.apply(this, parameters);
+      };
+    };
+    watch('linkProgram', (_, [program]) => globalThis.programs.linked.add(program));
+    for (const name of ['Arrays', 'Elements', 'ArraysInstanced', 'ElementsInstanced'])
+      watch(`draw${name}`, (gl) =>
+        globalThis.programs.drawn.add(gl.getParameter(gl.CURRENT_PROGRAM)),
+      );
+  });
+
+export const countPrograms = (page) =>
+  page.evaluate(() => {
+    const { linked, drawn } = globalThis.programs;
+    return { linked: linked.size, drawn: drawn.size };
+  });
