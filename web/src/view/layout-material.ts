@@ -106,8 +106,8 @@ const FRAGMENT = /* glsl */ `
 /**
  * Material of the uv layout. Its geometry has no index and has the attributes heat (a place on
  * the ramp for each measure), chart (number of its colour), piece (number of the chart itself),
- * source (see look-shader.ts) and, while a pin is dragged, weight (see bending.ts). HEAT, PICTURE and
- * LOOK are defined while they are needed.
+ * source (see look-shader.ts) and, while a pin is dragged, weight (see bending.ts). HEAT, PICTURE
+ * and LOOK are defined while they are needed.
  */
 export function createLayoutMaterial(): ShaderMaterial {
   return new ShaderMaterial({

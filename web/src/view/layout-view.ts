@@ -8,7 +8,7 @@ import type { Bending } from './bending';
 import { ChartEdges } from './chart-edges';
 import { ChartFlags, type ChartStates, NO_STATES } from './chart-flags';
 import { ChartPicker } from './chart-picker';
-import { define } from './define';
+import { defineShading } from './define';
 import { EdgeLines } from './edge-lines';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { createLayoutMaterial, paintLayout } from './layout-material';
@@ -194,9 +194,7 @@ export class LayoutView {
   /** `picture`: what a shading needs that shows one. */
   setShading(shading: Shading, picture: Texture | null): void {
     this.shading = shading;
-    define(this.material, 'HEAT', isMeasure(shading));
-    define(this.material, 'PICTURE', picture !== null);
-    this.material.uniforms.picture.value = picture;
+    defineShading(this.material, shading, picture);
     this.paint();
     if (this.isFitted) this.fit();
   }

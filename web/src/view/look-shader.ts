@@ -24,8 +24,9 @@ export const lookUniforms = () => ({
 });
 
 /**
- * With LOOK, `readLook` reads how the corner looks in the file: its place in the image, tint and material. Not
- * needed unless `isShown`. `source` is 0 where the triangles are those of the mesh that was opened.
+ * With LOOK, `readLook` reads how the corner looks in the file: its place in the image, tint and
+ * material. Not needed unless `isShown`. `source` is 0 where the triangles are those of the mesh that
+ * was opened.
  */
 export const LOOK_VERTEX_GLSL = /* glsl */ `
 #ifdef LOOK
@@ -55,8 +56,8 @@ export const LOOK_VERTEX_GLSL = /* glsl */ `
 `;
 
 /**
- * With LOOK, `lookColor` is the colour in the file, linear, and what is seen of it: all, nothing, or with
- * BLENDED a part. `isUnlit` tells whether light makes no difference.
+ * With LOOK, `lookColor` is the colour in the file, linear, and what is seen of it: all, nothing, or
+ * with BLENDED a part. `isUnlit` tells whether light makes no difference.
  */
 export const LOOK_GLSL = /* glsl */ `
 #ifdef LOOK

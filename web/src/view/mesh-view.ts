@@ -8,7 +8,7 @@ import { type Drawing, type FirstView, type FlatDrawing, FRAME } from '../model/
 import { ChartEdges } from './chart-edges';
 import { ChartFlags, type ChartStates } from './chart-flags';
 import { ChartPicker } from './chart-picker';
-import { define } from './define';
+import { define, defineShading } from './define';
 import { fitInView } from './fit-in-view';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { LookTextures } from './look-textures';
@@ -196,10 +196,8 @@ export class MeshView {
   /** `picture`: what a shading needs that shows one. */
   setShading(shading: Shading, picture: Texture | null): void {
     this.shading = shading;
-    define(this.material, 'HEAT', isMeasure(shading));
-    define(this.material, 'PICTURE', picture !== null);
+    defineShading(this.material, shading, picture);
     if (isMeasure(shading)) showMeasure(this.material, shading);
-    this.material.uniforms.picture.value = picture;
     this.paint();
   }
 

@@ -37,8 +37,8 @@ export class Stage {
   }
 
   /**
-   * Compiles the shaders of what first pictures of the scene show, which takes the browser a while;
-   * nothing is drawn before that. Those of the rest are small, and compiled when they are needed.
+   * Compiles the shaders of `first`, which every first picture shows. That takes the browser a while,
+   * and nothing is drawn before it is done. Other shaders are compiled when they are first drawn.
    */
   async start(scene: Scene, camera: Camera, first: Object3D[]): Promise<void> {
     new ResizeObserver(() => this.resize()).observe(parentOf(this.canvas));

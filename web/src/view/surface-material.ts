@@ -149,8 +149,8 @@ const FRAGMENT = /* glsl */ `
 /**
  * Material of the mesh in 3D. Its geometry has no index and has the attributes normal, uv (in
  * cells), heat (a place on the ramp for each measure), chart (number of its colour), piece (number
- * of the chart itself) and source (see look-shader.ts). WIRE, HEAT, PICTURE and LOOK are defined while
- * they are needed.
+ * of the chart itself) and source (see look-shader.ts). WIRE, HEAT, PICTURE and LOOK are
+ * defined while they are needed.
  */
 export function createSurfaceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
