@@ -94,7 +94,7 @@ const REFUSED = [
     'a.ply',
     plyText().replace('face 1', 'face 2'),
     3,
-    /2 of 'face'/,
+    /2 elements 'face'/,
   ],
   ['an STL that is cut off', 'a.stl', `${' '.repeat(80)}\x01\0\0\0`, 3, /1 facets.*134 bytes.*84/],
   [

@@ -60,7 +60,7 @@ test('the largest node counts, whatever the order', async (t) => {
     const { areas, notes } = await unwrapped(t, balls(2, [...nodes, { mesh: 1 }]));
     assert.ok(Math.abs(areas[0] / areas[1] - 9) < 0.1, `${areas}`);
     assert.deepEqual(notes, [
-      '3 nodes share 1 mesh and so also texels. Their scales differ, so each layout is sized for the largest node. Give a node a mesh of its own for texels of its own',
+      '3 nodes share 1 mesh and its texels. Their scales differ, so each layout is sized for the largest node. Give a node a mesh of its own for texels of its own',
     ]);
   }
 });
@@ -81,7 +81,7 @@ test('equally large nodes share, and the first of them counts', async (t) => {
     balls(2, [{ mesh: 0 }, { mesh: 0, rotation: turn }, { mesh: 1 }, { mesh: 1 }, { mesh: 1 }]),
   );
   assert.deepEqual(notes, [
-    '5 nodes share 2 meshes and so also texels. Give a node a mesh of its own for texels of its own',
+    '5 nodes share 2 meshes and their texels. Give a node a mesh of its own for texels of its own',
   ]);
   const alone = await unwrapped(t, balls(1, [{ mesh: 0 }]));
   assert.deepEqual(alone.notes, []);

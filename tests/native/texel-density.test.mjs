@@ -1,5 +1,6 @@
 // Random meshes and options with a texel density: every chart has it, as measured in the file, or
-// the report names the charts that do not. ABFLAT_FUZZ_RUNS=500 ABFLAT_FUZZ_SEED=1000 makes more.
+// the report names the charts that do not. No outline is
+// drawn out. ABFLAT_FUZZ_RUNS=500 ABFLAT_FUZZ_SEED=1000 makes more.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -8,6 +9,7 @@ import { chartDensities } from '../support/chart-densities.mjs';
 import { generatedDisk } from '../support/disks.mjs';
 import { Random, randomSurface } from '../support/random-surfaces.mjs';
 import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
+import { sharedFinding, withoutShared } from '../support/shared.mjs';
 import { isosurface, objText } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
@@ -71,6 +73,9 @@ const named = (notes) =>
     return sum + Number(count ?? 0);
   }, 0);
 
+/** With one of these, charts that slivers draw out are not cut. */
+const NOT_CUT = /^(none|--t|--straight-seams)$/;
+
 for (let seed = FIRST; seed < FIRST + RUNS; seed++)
   test(`random texel density ${seed}`, async (t) => {
     const at = tempFolder(t);
@@ -91,4 +96,20 @@ for (let seed = FIRST; seed < FIRST + RUNS; seed++)
       (chart) => !(Math.abs(chart.density / density - 1) <= 1e-6 + chart.rounding),
     );
     assert.ok(off.length <= named(report.notes), `${run} ${JSON.stringify({ off, density })}`);
+    if (args.some((arg) => NOT_CUT.test(arg)) || report.notes.length > 0) return;
+    for (const { drawnOut, rounding } of charts)
+      assert.ok(
+        !(drawnOut >= 12) || rounding > 1e-3,
+        `${run} an outline is ${drawnOut} times as long`,
+      );
   });
+
+test('slivers do not draw a chart out', { skip: withoutShared }, async (t) => {
+  const at = tempFolder(t);
+  const mesh = sharedFinding('find-08-34.obj');
+  const args = ['unwrap', mesh, '-o', 'out.obj', '--max-stretch', '1.3', '--min-utilization', '0'];
+  const { code, stderr } = await runAbflat(args, { cwd: at() });
+  assert.equal(code, 0, stderr);
+  const charts = chartDensities(readFileSync(at('out.obj'), 'utf8'), 1024);
+  for (const { drawnOut } of charts) assert.ok(!(drawnOut > 12), `${drawnOut} times as long`);
+});

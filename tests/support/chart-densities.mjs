@@ -2,12 +2,17 @@
 
 import { chartsOf, parseObj } from './atlas.mjs';
 
+const distance = (p, q) => Math.hypot(...p.map((x, d) => x - q[d]));
+
+/** 0 where an angle is below 1e-9 for sure: such faces count as without area. */
 const areaInSpace = ([a, b, c]) => {
   const [u, v] = [b, c].map((p) => p.map((x, d) => x - a[d]));
   const normal = [0, 1, 2].map(
     (d) => u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3],
   );
-  return Math.hypot(...normal) / 2;
+  const area = Math.hypot(...normal) / 2;
+  const longest = Math.max(distance(a, b), distance(b, c), distance(c, a));
+  return area > 2.5e-10 * longest ** 2 ? area : 0;
 };
 
 const areaInAtlas = ([a, b, c]) =>
@@ -16,8 +21,6 @@ const areaInAtlas = ([a, b, c]) =>
 /** The texcoords of each side of a face. */
 const sidesOf = (face) => face.map(([, t], k) => [t, face[(k + 1) % face.length][1]]);
 
-const distance = (p, q) => Math.hypot(...p.map((x, d) => x - q[d]));
-
 /** Half the distance between neighbouring numbers in single precision, at the largest coordinate. */
 const roundingOf = (texcoords) => {
   const most = texcoords.flat().reduce((m, x) => Math.max(m, Math.abs(x)), 1);
@@ -25,27 +28,36 @@ const roundingOf = (texcoords) => {
 };
 
 /**
- * Of an OBJ text of triangles, per chart with area: { density, rounding }, in texels per unit, where
- * rounding is what single precision may cost of it, as a share.
+ * Of an OBJ text of triangles, per chart with area: { density, rounding, drawnOut }, in texels per
+ * unit, where rounding is what single precision may cost of it, as a share, and drawnOut how many
+ * times its outline is as long as on the surface.
  */
 export function chartDensities(text, resolution) {
   const obj = parseObj(text);
   const { ofFace, count } = chartsOf(obj);
-  const charts = Array.from({ length: count }, () => ({ inSpace: 0, inAtlas: 0, outline: 0 }));
+  const charts = Array.from({ length: count }, () => ({
+    ...{ inSpace: 0, inAtlas: 0 },
+    ...{ outline: 0, outlineInSpace: 0 },
+  }));
   const sides = new Set(obj.faces.flatMap(sidesOf).map(([a, b]) => `${a} ${b}`));
   for (const [f, face] of obj.faces.entries()) {
     const chart = charts[ofFace[f]];
     const uv = face.map(([, t]) => obj.texcoords[t]);
     chart.inSpace += areaInSpace(face.map(([v]) => obj.positions[v]));
     chart.inAtlas += areaInAtlas(uv);
-    for (const [a, b] of sidesOf(face))
-      if (!sides.has(`${b} ${a}`)) chart.outline += distance(obj.texcoords[a], obj.texcoords[b]);
+    sidesOf(face).forEach(([a, b], k) => {
+      if (sides.has(`${b} ${a}`)) return;
+      const [[from], [to]] = [face[k], face[(k + 1) % face.length]];
+      chart.outline += distance(obj.texcoords[a], obj.texcoords[b]);
+      chart.outlineInSpace += distance(obj.positions[from], obj.positions[to]);
+    });
   }
   const step = roundingOf(obj.texcoords);
   return charts
     .filter(({ inSpace }) => inSpace > 0)
-    .map(({ inSpace, inAtlas, outline }) => ({
+    .map(({ inSpace, inAtlas, outline, outlineInSpace }) => ({
       density: resolution * Math.sqrt(inAtlas / inSpace),
       rounding: (step * outline) / inAtlas,
+      drawnOut: outline / outlineInSpace / Math.sqrt(inAtlas / inSpace),
     }));
 }

@@ -4,7 +4,7 @@
 
 export const whole = (random, least, most) => least + random.below(most - least + 1);
 
-function shuffled(random, list) {
+export function shuffled(random, list) {
   const out = [...list];
   for (let i = out.length - 1; i > 0; i--) {
     const k = random.below(i + 1);

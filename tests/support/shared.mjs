@@ -29,6 +29,8 @@ export const FOLDED_DISKS = ['camel-cut.obj', 'cow-cut.off'];
 
 export const sharedMesh = (file) => join(SHARED, 'meshes', file);
 
+export const sharedFinding = (file) => join(SHARED, 'findings', file);
+
 class Exit extends Error {}
 
 /** The judge's script as a function: a process of its own for each result takes longer than judging it. */

@@ -169,6 +169,41 @@ test('unwrapGeometry cuts between groups and round islands when asked to', async
   assert.equal(new Set(await chartsOf(box, 'uv')).size, 6);
 });
 
+/** The lengths of the longest edge of each triangle without area, on the surface and in uv. */
+function longestOfFlat({ index, attributes: { position, uv } }) {
+  const longest = (attribute, vertices) => {
+    const Point = attribute.itemSize === 2 ? THREE.Vector2 : THREE.Vector3;
+    const at = vertices.map((v) => new Point().fromBufferAttribute(attribute, v));
+    return Math.max(...at.map((p, k) => p.distanceTo(at[(k + 1) % 3])));
+  };
+  const triangles = Array.from({ length: index.count / 3 }, (_, f) =>
+    [0, 1, 2].map((k) => index.getX(3 * f + k)),
+  );
+  const isFlat = (vertices) => {
+    const at = vertices.map((v) => new THREE.Vector3().fromBufferAttribute(position, v));
+    return new THREE.Triangle(...at).getArea() < 1e-12;
+  };
+  return triangles.filter(isFlat).map((v) => [longest(position, v), longest(uv, v)]);
+}
+
+test('unwrapGeometry leaves triangles without area, as at the poles of a capsule, at their neighbours', async () => {
+  const profile = [0, 1, 1, 0].map((r, k) => new THREE.Vector2(r, k));
+  const shapes = [
+    new THREE.CapsuleGeometry(),
+    new THREE.CapsuleGeometry(1, 1, 4, 48),
+    new THREE.LatheGeometry(profile, 32),
+  ];
+  for (const shape of shapes) {
+    const { geometry, result } = await unwrapGeometry(abflat, shape);
+    const { atlas, valid } = result.report;
+    assert.ok(valid);
+    const lengths = longestOfFlat(geometry);
+    assert.ok(lengths.length > 0);
+    const perUnit = atlas.texelDensity / atlas.resolution;
+    for (const [onSurface, inUv] of lengths) assert.ok(inUv < 1.5 * perUnit * onSurface);
+  }
+});
+
 test('unwrapGeometry puts a second set of coordinates beside the first', async () => {
   const torus = new THREE.TorusGeometry(1, 0.4, 8, 16);
   const { geometry } = await unwrapGeometry(abflat, torus, { attribute: 'uv1', maxStretch: 1.2 });

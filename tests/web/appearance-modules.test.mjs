@@ -14,13 +14,16 @@ before(async () => {
 });
 after(() => abflat.terminate());
 
-/** With a face that repeats a vertex, layouts cut the pentagon into other triangles than the mesh. */
-const POLYGONS = `v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nv 0 0 1\nv 1 0 1
+/**
+ * Vertex 2 has two quads around it. With a face that repeats it, layouts cut the first one into other
+ * triangles than the mesh.
+ */
+const POLYGONS = `v 0 0 0\nv 1 -0.5 0\nv 2 0 0\nv 1 2 0\nv 1 -2 0\nv 0 3 0\nv -1 2 0
 vt 0.1 0\nvt 0.2 0\nvt 0.3 0\nvt 0.4 0\nvt 0.5 0
-f 5/1 1/2 2/3 3/4 4/5
-f 1/1 2/2 7/3 6/4
-f 6/5 5/4 1/3
-f 1/1 1/1 2/2
+f 1/1 2/2 3/3 4/4
+f 3/3 2/2 1/1 5/5
+f 1/1 4/4 6/5 7/2
+f 2/2 2/2 1/1
 `;
 
 const fileOf = (text, name) => ({ bytes: new TextEncoder().encode(text), name });

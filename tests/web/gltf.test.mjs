@@ -202,6 +202,7 @@ test('UV islands are those of the texcoord set that is chosen, after a reload, t
   await settled(page);
   assert.equal(await charts(), counts[1]);
   assert.equal(await page.inputValue('#read-texcoord'), '1');
+  assert.equal(await page.getAttribute('#seams-uv', 'aria-pressed'), 'true', 'as it was');
 
   await page.reload();
   await settled(page);

@@ -8,13 +8,8 @@ import { objText, together, torus } from '../support/surfaces.mjs';
 import { pixelOf } from './layout.mjs';
 import { choose, dropAndWait, openPage, settled, textOf } from './page.mjs';
 
-/** Two rings side by side. */
-const RINGS = objText(
-  together([
-    [torus(16, 8), [0, 0, 0]],
-    [torus(16, 8), [3, 0, 0]],
-  ]),
-);
+/** Rings side by side, a chart each. */
+const RINGS = objText(together([0, 1, 2].map((i) => [torus(16, 8), [2.6 * i, 0, 0]])));
 
 const opened = (t, options) => openPage(t, { open: ['rings.obj', RINGS], ...options });
 

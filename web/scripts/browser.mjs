@@ -6,7 +6,20 @@ import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { createStaticServer, HEADERS, listen } from '../../scripts/serve.mjs';
 
+/**
+ * Not needed, and costly: for each page the browser prepares two pages of its own, where addresses
+ * are typed. Only the last list of a command line counts, so those of playwright are repeated.
+ */
+const WITHOUT = [
+  ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup'],
+  ...['AimEnabled', 'AvoidCorsURLLoaderRestartOnRedirect', 'AvoidUnnecessaryBeforeUnloadCheckSync'],
+  ...['DestroyProfileOnBrowserClose', 'HttpsFirstBalancedModeAutoEnable', 'HttpsUpgrades'],
+  ...['LensOverlay', 'MediaRouter', 'NetworkTimeServiceQuerying', 'OptimizationHints'],
+  ...['PaintHolding', 'PreconnectToSearch', 'SpareRendererForSitePerProcess'],
+  'ThirdPartyStoragePartitioning',
+];
 const FLAGS = [
+  `--disable-features=${WITHOUT}`,
   '--no-sandbox',
   '--disable-quic',
   '--no-first-run',

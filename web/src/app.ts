@@ -17,7 +17,13 @@ import { HelpSheet } from './help/help-sheet';
 import { LastVisit } from './last-visit';
 import { Meshes } from './meshes';
 import type { FlatDrawing } from './model/drawing';
-import type { AnyProgress, Opened, Outcome, Source } from './model/model';
+import {
+  type AnyProgress,
+  isSameFile,
+  type Opened,
+  type Outcome,
+  type Source,
+} from './model/model';
 import { isByHand, type Settings } from './model/settings';
 import { FIRST_SAMPLE } from './opening/open-mesh';
 import { PageHistory } from './page-history';
@@ -267,7 +273,8 @@ export class App implements SessionEvents {
     this.tools?.clear();
     this.meshes.show(opened, last?.settings.some(isByHand) ?? false);
     if (last) this.leave(last);
-    this.wishes.open({ mesh, summary, name: source.name });
+    const isReread = last !== null && isSameFile(last.opened.source, source);
+    this.wishes.open({ mesh, summary, name: source.name, isReread });
     const asked = this.visit.opened(opened, left !== undefined);
     for (const settings of left?.settings ?? (asked ? [asked] : [])) this.ask(settings);
     if (left) this.history.resume(left.history);

@@ -94,7 +94,7 @@ export class Wishes {
     this.faceDensities = undefined;
     this.ownBounds = undefined;
     this.pins = undefined;
-    this.options.open(mesh.summary);
+    this.options.open(mesh);
     this.mode.setDisk(mesh.summary.disk);
     this.seams.open(mesh);
     this.showCutting();

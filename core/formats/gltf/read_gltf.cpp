@@ -250,8 +250,8 @@ class ModelReader {
   void addNotes() {
     if (shared_ > 0)
       model_.notes.push_back(
-          std::to_string(sharing_) + " nodes share " + counted(shared_, "mesh", "meshes") +
-          " and so also texels. " +
+          std::to_string(sharing_) + " nodes share " +
+          counted(shared_, "mesh and its", "meshes and their") + " texels. " +
           (hasScales_ ? "Their scales differ, so each layout is sized for the largest node. "
                       : "") +
           "Give a node a mesh of its own for texels of its own");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "chart/chart_order.h"
 #include "mesh/topology.h"
 
 namespace abflat {
@@ -170,6 +171,12 @@ DiskChart ChartSet::chart(ChartId i) const {
   out.filledHoles = own.filledHoles;
   if (!eliminationRank.empty())
     for (const InputVertex v : own.inputVertex) out.eliminationRank.push_back(eliminationRank[v]);
+  placeChart(*mesh_, out);
+  return out;
+}
+
+DiskChart ChartSet::chartInOrder(ChartId i, IdVector<ChartVertex, ChartVertex>& former) const {
+  DiskChart out = walkedThrough(chart(i), former);
   placeChart(*mesh_, out);
   return out;
 }

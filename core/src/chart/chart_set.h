@@ -38,6 +38,9 @@ class ChartSet {
   IdRange<ChartId> ids() const { return IdRange<ChartId>(size()); }
   ChartTopology topology(ChartId i) const;
   DiskChart chart(ChartId i) const;
+  /// The chart in an order of its own, see walkedThrough. `former`: the number that each vertex has
+  /// in chart(i).
+  DiskChart chartInOrder(ChartId i, IdVector<ChartVertex, ChartVertex>& former) const;
   /// The texcoord of a chart's first vertex; those of its other vertices follow. For the index one
   /// past the last chart it is the total count.
   TexcoordId firstTexcoord(ChartId i) const { return TexcoordId(parts_[i].vertex); }

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/few_bits.h"
+#include "base/long_sum.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
 namespace {
-
-/// Grid steps over the extent: far finer than any feature, far coarser than the rounding caused by
-/// a change of unit.
-constexpr double kGrid = 268435456;  // 2^28
 
 /// Relative to the largest extent; areas of anything smaller would be 0.
 constexpr double kLeastScale = 1e-120;
@@ -20,14 +18,17 @@ constexpr double kLeastScale = 1e-120;
 /// conditioned.
 constexpr double kLeastWeight = 0.01, kMostWeight = 50;
 
-/// Bounds the coordinates of one scale, halved so that no difference overflows.
+/// Where the vertices of one scale lie, halved so that no difference overflows.
 struct Extent {
   Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  double most = 0;
+  std::array<LongSum, 3> middle;  ///< from there
+  double vertices = 0;
+  double most = 0;  ///< across, which is the same however the mesh is turned
 };
 
-std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fans,
-                           const IdVector<SurfaceTriangle, std::uint8_t>& scale) {
+/// Moves the vertices into the unit cube, each scale by itself.
+std::vector<double> inUnitCube(const std::vector<double>& positions, const Fans& fans,
+                               const IdVector<SurfaceTriangle, std::uint8_t>& scale) {
   const std::size_t count = fans.inputVertex.size();
   IdVector<SurfaceVertex, std::uint8_t> ofFan(count, 0);
   for (const SurfaceTriangle f : scale.ids())
@@ -36,15 +37,22 @@ std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fan
     return positions[3 * std::size_t{fans.inputVertex[v]} + d] / 2;
   };
   std::vector<Extent> extents(256);
-  for (std::size_t d = 0; d < 3; ++d) {
-    for (const SurfaceVertex v : fans.inputVertex.ids()) {
-      double& low = extents[ofFan[v]].low[d];
-      low = std::min(low, at(v, d));
-    }
-    for (const SurfaceVertex v : fans.inputVertex.ids()) {
-      Extent& extent = extents[ofFan[v]];
-      extent.most = std::max(extent.most, at(v, d) - extent.low[d]);
-    }
+  for (const SurfaceVertex v : fans.inputVertex.ids()) {
+    Extent& extent = extents[ofFan[v]];
+    ++extent.vertices;
+    for (std::size_t d = 0; d < 3; ++d) extent.low[d] = std::min(extent.low[d], at(v, d));
+  }
+  const auto fromLow = [&](SurfaceVertex v, std::size_t d) {
+    return at(v, d) - extents[ofFan[v]].low[d];
+  };
+  for (const SurfaceVertex v : fans.inputVertex.ids()) {
+    Extent& extent = extents[ofFan[v]];
+    for (std::size_t d = 0; d < 3; ++d) extent.middle[d].add(fromLow(v, d) / extent.vertices);
+  }
+  for (const SurfaceVertex v : fans.inputVertex.ids()) {
+    Extent& extent = extents[ofFan[v]];
+    const auto off = [&](std::size_t d) { return fromLow(v, d) - extent.middle[d].value(); };
+    extent.most = std::max(extent.most, 2 * portable::hypot(off(0), off(1), off(2)));
   }
   double largest = 0;
   for (const Extent& extent : extents) largest = std::max(largest, extent.most);
@@ -53,9 +61,8 @@ std::vector<double> onGrid(const std::vector<double>& positions, const Fans& fan
   for (const SurfaceVertex v : fans.inputVertex.ids())
     for (std::size_t d = 0; d < 3; ++d) {
       const Extent& extent = extents[ofFan[v]];
-      const double x = at(v, d) - extent.low[d];
-      const double rounded = std::floor(x / extent.most * kGrid + 0.5) / kGrid;
-      out.push_back(extent.most > 0 ? rounded * std::max(extent.most / largest, kLeastScale) : 0);
+      const double x = fromLow(v, d) / extent.most;
+      out.push_back(extent.most > 0 ? x * std::max(extent.most / largest, kLeastScale) : 0);
     }
   return out;
 }
@@ -65,16 +72,16 @@ void measureTriangle(SeamMesh& m, SurfaceTriangle f, IdVector<SurfaceCorner, dou
   std::array<Vec3, 3> e;
   for (std::size_t k = 0; k < 3; ++k) e[k] = edgeVector(m.positions, v[k], v[(k + 1) % 3]);
   const double doubleArea = norm(cross(e[0], e[1]));
-  m.area[f] = doubleArea / 2;
+  m.area[f] = inFewBits(doubleArea / 2);
   double longest = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    longest = std::max(longest, m.length[cornerOf(f, k)] = norm(e[k]));
+    longest = std::max(longest, m.length[cornerOf(f, k)] = inFewBits(norm(e[k])));
   constexpr double kFlat = 1e-9;  // of the longest side squared
   const bool isFlat = !(doubleArea > kFlat * longest * longest);
   for (std::size_t k = 0; k < 3; ++k) {
     const double along = -dot(e[k], e[(k + 2) % 3]);
     cotangent[cornerOf(f, k)] = isFlat ? 1 / std::sqrt(3.0) : along / doubleArea;
-    m.angle[cornerOf(f, k)] = isFlat ? kPi / 3 : portable::atan2(doubleArea, along);
+    m.angle[cornerOf(f, k)] = isFlat ? kPi / 3 : inFewBits(portable::atan2(doubleArea, along));
   }
 }
 
@@ -103,9 +110,9 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
     if (o.exists()) {
       w += cotangent[prevCorner(o)] / 2;
       m.length[o] = m.length[h];
-      m.cost[h] = m.cost[o] = m.length[h] * (1 - kDiscount * creaseShare(m, h));
+      m.cost[h] = m.cost[o] = inFewBits(m.length[h] * (1 - kDiscount * creaseShare(m, h)));
     }
-    m.weight[h] = std::clamp(w, kLeastWeight, kMostWeight);
+    m.weight[h] = inFewBits(std::clamp(w, kLeastWeight, kMostWeight));
     if (o.exists()) m.weight[o] = m.weight[h];
   }
 }
@@ -131,7 +138,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
   SeamMesh m;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
-  m.positions = onGrid(positions, fans, scale);
+  m.positions = inUnitCube(positions, fans, scale);
   const std::size_t corners = m.vertexOfCorner.size();
   m.angle.resize(corners);
   m.area.resize(corners / 3);

@@ -19,8 +19,8 @@ constexpr double kBarredCost = 1e9;
 
 /// The input of the seam finder: an oriented manifold surface with any number of components, and
 /// its geometry. Vertices are fans, so each is either interior or passed by the boundary once.
-/// Coordinates are rounded to a grid over the mesh's own extent, so that no result depends on its
-/// unit or position.
+/// What is measured is rounded, so that no result depends on the mesh's unit, or on how it lies.
+/// Coordinates are not: what compares distances has to round them.
 struct SeamMesh {
   IdVector<SurfaceCorner, SurfaceVertex> vertexOfCorner;
   IdVector<SurfaceCorner, SurfaceCorner> twin;  ///< opposite half-edge, none on the boundary

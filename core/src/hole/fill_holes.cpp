@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "base/constants.h"
+#include "base/few_bits.h"
 #include "hole/triangulate_rim.h"
 
 namespace abflat {
@@ -16,16 +19,34 @@ constexpr std::size_t kMostEdges = 4096;
 /// same all along the rim.
 constexpr double kStiff = 50;
 
+/// Where the loop of sides begins whose lengths come first in order, of all that begin elsewhere.
+std::size_t leastStart(const SeamMesh& mesh, const std::vector<SurfaceCorner>& sides) {
+  const std::size_t n = sides.size();
+  std::size_t i = 0, j = 1, alike = 0;
+  while (i < n && j < n && alike < n) {
+    const double a = mesh.length[sides[(i + alike) % n]], b = mesh.length[sides[(j + alike) % n]];
+    if (a == b) {
+      ++alike;
+      continue;
+    }
+    (a > b ? i : j) += alike + 1;
+    if (i == j) ++j;
+    alike = 0;
+  }
+  return std::min(i, j);
+}
+
 /// One boundary loop with its half-edges reversed, as seen by the triangles that fill it.
 class Filler {
  public:
-  Filler(SeamMesh& mesh, BoundaryLoop loop, double seamCost)
-      : mesh_(mesh),
-        side_(std::vector<SurfaceCorner>(loop.begin(), loop.end())),
-        seamCost_(seamCost) {
-    // Side j of the hole runs from vertex j to j + 1.
-    std::reverse(side_.begin(), side_.end());
-    std::rotate(side_.begin(), side_.begin() + 1, side_.end());
+  Filler(SeamMesh& mesh, BoundaryLoop loop, double seamCost) : mesh_(mesh), seamCost_(seamCost) {
+    // Side j of the hole runs from vertex j to j + 1. Between ears that are alike the numbers of
+    // the sides decide, so these have to depend on the shape alone.
+    std::vector<SurfaceCorner> sides(loop.begin(), loop.end());
+    std::reverse(sides.begin(), sides.end());
+    const auto first = static_cast<std::ptrdiff_t>(leastStart(mesh, sides));
+    std::rotate(sides.begin(), sides.begin() + first, sides.end());
+    side_ = IdVector<RimIndex, SurfaceCorner>(std::move(sides));
     for (const SurfaceCorner h : side_) vertex_.push_back(mesh.head(h));
   }
 
@@ -85,7 +106,7 @@ class Filler {
       mesh_.vertexOfCorner.push_back(vertex_[a]);
       const SurfaceCorner h = mesh_.twin.push_back(isSide ? side_[a] : SurfaceCorner());
       mesh_.angle.push_back(angle_[a]);
-      mesh_.length.push_back(norm(edgeVector(mesh_.positions, vertex_[a], vertex_[b])));
+      mesh_.length.push_back(inFewBits(norm(edgeVector(mesh_.positions, vertex_[a], vertex_[b]))));
       mesh_.cost.push_back(seamCost_);
       mesh_.weight.push_back(kStiff);
       if (!isSide) continue;

@@ -24,9 +24,10 @@ inline std::string noSuchEntry(std::size_t entry, const std::string& vertex,
 
 constexpr const char* kTooManyCorners = "more than 4294967295 face corners are not supported";
 
-/// "3 of 'face'", "1 of 'vertex'".
+/// "3 elements 'face'", "1 element 'vertex'".
 inline std::string rowsOf(std::uint64_t rows, const PlyElement& element) {
-  return std::to_string(rows) + " of '" + std::string(element.name.substr(0, 40)) + "'";
+  return std::to_string(rows) + (rows == 1 ? " element '" : " elements '") +
+         std::string(element.name.substr(0, 40)) + "'";
 }
 
 }  // namespace abflat

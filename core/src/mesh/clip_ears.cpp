@@ -4,6 +4,7 @@
 #include <queue>
 #include <utility>
 
+#include "base/few_bits.h"
 #include "mesh/point_tree.h"
 
 namespace abflat {
@@ -41,7 +42,8 @@ class EarClipper {
     std::uint32_t some = 0;
     for (std::uint32_t left = n_; left > 3; --left) {
       if (!pulse_.beat(kSteps)) return triangles;
-      const std::uint32_t ear = takeBest(), before = previous_[ear], after = next_[ear];
+      const std::uint32_t ear = left > 4 ? takeBest() : lastOf(takeBest());
+      const std::uint32_t before = previous_[ear], after = next_[ear];
       triangles.push_back({before, ear, after});
       next_[before] = after;
       previous_[after] = before;
@@ -80,6 +82,14 @@ class EarClipper {
     return corner;
   }
 
+  /// The ear, or its neighbour where that keeps more: of four corners, the one opposite the ear
+  /// becomes an ear, too.
+  std::uint32_t lastOf(std::uint32_t ear) const {
+    const auto keepsAll = [&](std::uint32_t k) { return !keep_[k] && !keep_[next_[next_[k]]]; };
+    const std::uint32_t other = next_[ear];
+    return !keepsAll(ear) && keepsAll(other) && quality(other) > 0 ? other : ear;
+  }
+
   void noteReflex(std::uint32_t k) {
     if (mayBlock_[k] || turnOf(points_[previous_[k]], points_[k], points_[next_[k]]) > 0) return;
     mayBlock_[k] = 1;
@@ -93,6 +103,7 @@ class EarClipper {
     const double edges = squaredDistance(a, b) + squaredDistance(b, c) + squaredDistance(c, a);
     double q = edges > 0 ? turnOf(a, b, c) * 2 * std::sqrt(3.0) / edges : 0;
     if (!(q > 0)) return q < 0 ? q - 2 : -2;
+    q = inFewBits(q);
     if (blockers_.hasIn(a, b, c)) q -= 2;
     if (keep_[k]) q -= 1;
     return q;

@@ -12,4 +12,8 @@ namespace abflat {
 std::vector<Point2> projectPolygon(const std::vector<double>& positions,
                                    const std::uint32_t* vertices, std::size_t count);
 
+/// The same along the area vector itself, so that it does not matter how the polygon is turned.
+std::vector<Point2> facePolygon(const std::vector<double>& positions, const std::uint32_t* vertices,
+                                std::size_t count);
+
 }  // namespace abflat

@@ -1,5 +1,6 @@
 #include "mesh/triangulate.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -18,13 +19,29 @@ bool isFan(const std::vector<Point2>& quad, const std::vector<std::uint8_t>& kee
   return true;
 }
 
-/// A vertex with two faces that is cut off as an ear in both would have only two triangles, which
-/// no flat mesh can have around an interior vertex.
-std::vector<std::uint8_t> facesPerVertex(const PolygonMesh& mesh) {
-  std::vector<std::uint8_t> count(mesh.vertexCount(), 0);
-  for (std::uint32_t v : mesh.faceVertices)
-    if (count[v] < 3) ++count[v];
-  return count;
+/// Vertices inside the mesh with only two faces. One that is cut off as an ear in both would have
+/// only two triangles, which no flat mesh can have around an interior vertex.
+std::vector<std::uint8_t> insideWithTwoFaces(const PolygonMesh& mesh) {
+  struct Neighbours {
+    std::uint32_t low = 0, high = 0;
+    bool operator==(const Neighbours& o) const { return low == o.low && high == o.high; }
+  };
+  std::vector<Neighbours> first(mesh.vertexCount());
+  std::vector<std::uint8_t> faces(mesh.vertexCount(), 0);
+  constexpr std::uint8_t kOthers = 3;  // more faces, or two without the same neighbours
+  for (PolygonFace f(0); f < mesh.faceCount(); ++f) {
+    const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
+    for (std::uint32_t c = begin; c < end; ++c) {
+      const std::uint32_t v = mesh.faceVertices[c];
+      const std::uint32_t a = mesh.faceVertices[c > begin ? c - 1 : end - 1];
+      const std::uint32_t b = mesh.faceVertices[c + 1 < end ? c + 1 : begin];
+      const Neighbours own{std::min(a, b), std::max(a, b)};
+      if (faces[v] == 0) first[v] = own;
+      faces[v] = faces[v] == 0 || (faces[v] == 1 && first[v] == own) ? faces[v] + 1 : kOthers;
+    }
+  }
+  for (std::uint8_t& count : faces) count = count == 2;
+  return faces;
 }
 
 /// `local`: corners of face f, counted from 0.
@@ -49,17 +66,17 @@ Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse) {
   out.corner.reserve(3 * triangles);
   out.isDiagonal.reserve(3 * triangles);
   out.face.reserve(triangles);
-  std::vector<std::uint8_t> valence;
+  std::vector<std::uint8_t> isKept;
   for (PolygonFace f(0); f < mesh.faceCount() && pulse.beat(); ++f) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1], n = end - begin;
     if (n == 3) {
       appendTriangle(mesh, f, {0, 1, 2}, out);
       continue;
     }
-    if (valence.empty()) valence = facesPerVertex(mesh);
+    if (isKept.empty()) isKept = insideWithTwoFaces(mesh);
     std::vector<std::uint8_t> keep(n);
-    for (std::uint32_t k = 0; k < n; ++k) keep[k] = valence[mesh.faceVertices[begin + k]] == 2;
-    std::vector<Point2> points = projectPolygon(mesh.positions, &mesh.faceVertices[begin], n);
+    for (std::uint32_t k = 0; k < n; ++k) keep[k] = isKept[mesh.faceVertices[begin + k]];
+    std::vector<Point2> points = facePolygon(mesh.positions, &mesh.faceVertices[begin], n);
     if (n == 4 && isFan(points, keep)) {
       appendTriangle(mesh, f, {0, 1, 2}, out);
       appendTriangle(mesh, f, {0, 2, 3}, out);

@@ -9,10 +9,17 @@
 namespace abflat {
 namespace {
 
+/// Shares, and lengths relative to each other, are alike up to this much, so that rounding decides
+/// nothing.
+constexpr double kSameChord = 1e-9;
+
 double cross(PlanePoint a, PlanePoint b) { return a.x * b.y - a.y * b.x; }
 
-double turn(PlanePoint a, PlanePoint b, PlanePoint c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+/// 1 if it turns left, -1 if right, 0 if it hardly turns.
+int turn(PlanePoint a, PlanePoint b, PlanePoint c) {
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+  const double straight = kSameChord * distance(a, b) * distance(a, c);
+  return left - right > straight ? 1 : left - right < -straight ? -1 : 0;
 }
 
 bool doCross(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
@@ -43,12 +50,18 @@ constexpr std::size_t kShares = 5, kKinds = 4 * kShares;
 std::size_t kindOf(PlanePoint from, PlanePoint to, double share) {
   const double dx = to.x - from.x, dy = to.y - from.y;
   // The way from one point to the other lies to the right, and encloses `share`.
-  const bool isRightSmaller = share < 0.5;
-  const bool isAcross = std::abs(dy) > std::abs(dx);
+  const bool isRightSmaller = share < 0.5 - kSameChord;
+  const bool isAcross = std::abs(dy) * (1 - kSameChord) > std::abs(dx);
   const bool isAtEnd = (isAcross ? dy > 0 : dx < 0) == isRightSmaller;
-  const double part = 2 * kShares * std::min(share, 1 - share);
+  const double part = 2 * kShares * (std::min(share, 1 - share) + kSameChord);
   return 4 * std::min(static_cast<std::size_t>(part), kShares - 1) + (isAcross ? 2 : 0) +
          (isAtEnd ? 1 : 0);
+}
+
+/// The shorter one, or of two that are alike the one that halves the outline better.
+bool isBetter(const OutlineChord& a, const OutlineChord& b) {
+  if (a.length < b.length * (1 - kSameChord)) return true;
+  return a.length < b.length * (1 + kSameChord) && a.smallerShare() > b.smallerShare() + kSameChord;
 }
 
 }  // namespace
@@ -69,9 +82,9 @@ std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline) 
       if (!(std::min(share, 1 - share) > kLeastShare)) continue;
       const double dx = p[j].x - p[i].x, dy = p[j].y - p[i].y;
       const double length = std::sqrt(dx * dx + dy * dy);
-      OutlineChord& shortest = best[kindOf(p[i], p[j], share)];
-      if (shortest.to > 0 && !(length < shortest.length)) continue;
-      if (isInside(p, i, j)) shortest = {i, j, length, share};
+      const OutlineChord chord{i, j, length, share};
+      OutlineChord& own = best[kindOf(p[i], p[j], share)];
+      if ((own.to == 0 || isBetter(chord, own)) && isInside(p, i, j)) own = chord;
     }
   std::vector<OutlineChord> out;
   for (const OutlineChord& chord : best)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "pack/outline.h"
 
 namespace abflat {
@@ -9,6 +11,8 @@ struct OutlineChord {
   std::size_t from = 0, to = 0;  ///< from < to
   double length = 0;
   double share = 0;  ///< of the area, cut off by the part from `from` to `to`
+
+  double smallerShare() const { return std::min(share, 1 - share); }
 };
 
 /// Cuts that may make an outline fit better. Among those that cut off a similar share, at the same

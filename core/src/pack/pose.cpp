@@ -1,6 +1,7 @@
 #include "pack/pose.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/portable_math.h"
 
@@ -33,6 +34,26 @@ Pose quarterTurned(const Pose& pose) {
   out.height = pose.width;
   out.quarter = pose.quarter + 1;
   return out;
+}
+
+/// Of the poses that differ by half a turn, or by quarters if the box is a square, the one with the
+/// heavier part of the hull at its left.
+Pose heavyAtLeft(const Pose& pose, double alike, const std::vector<PlanePoint>& hull) {
+  const PlanePoint center = pose.rotated(massOf(hull).center);
+  const double size = std::max(pose.width, pose.height), least = (1 - alike) * size;
+  double dx = center.x - pose.minX - pose.width / 2, dy = center.y - pose.minY - pose.height / 2;
+  int quarters = 0;
+  const bool isSquare = pose.height >= pose.width * alike;
+  const auto isAtLeft = [&] {
+    if (!isSquare) return dx < -least || (dx < least && dy < least);
+    return dx < least && std::abs(dy) <= std::abs(dx) + least;
+  };
+  for (; quarters < 4 && !isAtLeft(); quarters += isSquare ? 1 : 2) {
+    const PlanePoint now{dx, dy};
+    dx = isSquare ? -now.y : -now.x;
+    dy = isSquare ? now.x : -now.y;
+  }
+  return quarters % 4 == 0 ? pose : turned(pose, quarters, 4, hull);
 }
 
 }  // namespace
@@ -100,7 +121,8 @@ Pose leastBoxPose(const std::vector<PlanePoint>& hull) {
     best.sin = -d.y;
   }
   measure(best, hull);
-  return best.width >= best.height * kAlike ? best : turned(best, 1, 4, hull);
+  if (!(best.width >= best.height * kAlike)) best = turned(best, 1, 4, hull);
+  return heavyAtLeft(best, kAlike, hull);
 }
 
 }  // namespace abflat

@@ -35,7 +35,8 @@ class Poses {
   std::uint32_t count_ = 0;
 };
 
-/// The rotation with the smallest box area; the box is wider than high.
+/// The rotation with the smallest box area; the box is wider than high, and the heavier part at its
+/// left, so that it is the same however the shape was turned.
 Pose leastBoxPose(const std::vector<PlanePoint>& hull);
 
 }  // namespace abflat

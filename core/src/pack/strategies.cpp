@@ -39,11 +39,17 @@ double sizeOf(const PackItem& item, Key key) {
   return width * width;
 }
 
-/// A number in [0, 1), different for each item and round.
-double disorder(std::uint64_t item, std::uint64_t round) {
-  std::uint64_t x = (item + 1) * 0x9E3779B97F4A7C15u + round * 0xBF58476D1CE4E5B9u;
+/// A number in [0, 1), different for each round and place in the order.
+double disorder(std::uint64_t rank, std::uint64_t round) {
+  std::uint64_t x = (rank + 1) * 0x9E3779B97F4A7C15u + round * 0xBF58476D1CE4E5B9u;
   x = (x ^ x >> 31) * 0x94D049BB133111EBu;
   return static_cast<double>((x ^ x >> 29) >> 11) * 0x1p-53;
+}
+
+/// Numbers by size, and by index only where that is equal.
+std::vector<std::uint32_t> largestFirst(const std::vector<double>& size) {
+  return stableOrder(size.size(),
+                     [&](std::uint32_t a, std::uint32_t b) { return size[a] > size[b]; });
 }
 
 /// Largest first. Sizes are compared to nine digits of the largest, so that rounding errors do not
@@ -53,17 +59,13 @@ std::vector<std::uint32_t> ordered(const std::vector<PackItem>& items, Key key, 
   double largest = 0;
   for (const PackItem& item : items) largest = std::max(largest, sizeOf(item, key));
   std::vector<double> size;
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
-    double share = largest > 0 ? sizeOf(items[i], key) / largest : 0;
-    if (round > 0) share *= 1 - kDisorder * disorder(i, round);
-    size.push_back(std::round(share * kDigits));
-    order.push_back(i);
-  }
-  sortStably(order, [&size](std::uint32_t a, std::uint32_t b) {
-    return size[a] != size[b] ? size[a] > size[b] : a < b;
-  });
-  return order;
+  for (const PackItem& item : items)
+    size.push_back(std::round(largest > 0 ? sizeOf(item, key) / largest * kDigits : 0));
+  std::vector<std::uint32_t> order = largestFirst(size);
+  if (round == 0) return order;
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+    size[order[rank]] *= 1 - kDisorder * disorder(rank, round);
+  return largestFirst(size);
 }
 
 }  // namespace

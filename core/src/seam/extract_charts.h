@@ -21,12 +21,39 @@ struct SeamPart {
     for (SurfaceVertex& v : wholeVertex) v = between.wholeVertex[v];
   }
 
-  /// Picks the part's vertices from per-vertex values of the whole.
+  /// Picks the part's vertices or corners from values of the whole. Nothing remains nothing.
   template <class T>
   IdVector<SurfaceVertex, T> ofVertices(const IdVector<SurfaceVertex, T>& whole) const {
-    IdVector<SurfaceVertex, T> out;
-    out.reserve(wholeVertex.size());
-    for (const SurfaceVertex v : wholeVertex) out.push_back(whole[v]);
+    return picked(wholeVertex, whole);
+  }
+  template <class T>
+  IdVector<SurfaceCorner, T> ofCorners(const IdVector<SurfaceCorner, T>& whole) const {
+    return picked(wholeHalfEdge, whole);
+  }
+
+  /// The other way round, if the part has all of the whole.
+  template <class T>
+  IdVector<SurfaceVertex, T> toWhole(const IdVector<SurfaceVertex, T>& part) const {
+    return putBack(wholeVertex, part);
+  }
+  template <class T>
+  IdVector<SurfaceCorner, T> toWhole(const IdVector<SurfaceCorner, T>& part) const {
+    return putBack(wholeHalfEdge, part);
+  }
+
+ private:
+  template <class Id, class T>
+  static IdVector<Id, T> picked(const IdVector<Id, Id>& inWhole, const IdVector<Id, T>& whole) {
+    IdVector<Id, T> out;
+    if (whole.empty()) return out;
+    out.reserve(inWhole.size());
+    for (const Id i : inWhole) out.push_back(whole[i]);
+    return out;
+  }
+  template <class Id, class T>
+  static IdVector<Id, T> putBack(const IdVector<Id, Id>& inWhole, const IdVector<Id, T>& part) {
+    IdVector<Id, T> out(part.size());
+    for (const Id i : part.ids()) out[inWhole[i]] = part[i];
     return out;
   }
 };

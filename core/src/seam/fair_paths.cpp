@@ -6,6 +6,7 @@
 #include <queue>
 #include <utility>
 
+#include "base/few_bits.h"
 #include "mesh/triangle_geometry.h"
 #include "seam/stars.h"
 
@@ -203,7 +204,7 @@ class Fairer {
     for (const SurfaceCorner h : path) add(tail(h), tail(h));
     add(head(path.back()), head(path.back()));
     const auto distance = [&](SurfaceVertex a, SurfaceVertex b) {
-      return norm(edgeVector(mesh_.positions, a, b));
+      return inFewBits(norm(edgeVector(mesh_.positions, a, b)));
     };
     for (std::size_t i = 0; i < out.size(); ++i) {
       const SurfaceVertex start = from[i];
@@ -275,7 +276,8 @@ class Fairer {
       return isAnywhere || isGoal_[mesh_.twin[h]];
     };
     const auto toGo = [&](SurfaceVertex v) {
-      const double straight = norm(edgeVector(mesh_.positions, v, last));
+      constexpr double kBelow = 1 - 1e-7;  // what rounding may add
+      const double straight = inFewBits(kBelow * norm(edgeVector(mesh_.positions, v, last)));
       return isAnywhere ? 0 : std::max(0.0, kLeastCost * (straight - slide));
     };
     std::priority_queue<PathEnd> queue;

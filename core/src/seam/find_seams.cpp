@@ -8,6 +8,7 @@
 #include "seam/cut_to_disks.h"
 #include "seam/extract_charts.h"
 #include "seam/fair_seams.h"
+#include "seam/geometric_order.h"
 #include "seam/log_scale.h"
 #include "seam/merge_charts.h"
 #include "seam/prediction.h"
@@ -346,31 +347,53 @@ class SymmetricFinder {
   const SeamOptions& options_;
 };
 
+/// With seams marked on both sides.
+Seams findInOrder(const SeamMesh& mesh, Seams seams, const SeamOptions& options,
+                  SeamReport& report) {
+  const bool isFree = options.isAuto && options.first.empty() &&
+                      std::find(seams.begin(), seams.end(), 1) == seams.end();
+  if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, report).run();
+  if (!isFree) report.asymmetry = Asymmetry::SeamsGiven;
+  if (isFree && !report.cancelled) SymmetricFinder(mesh, options).run(seams, report);
+  report.seamLength = lengthOf(mesh, seams);
+  const double size = std::sqrt(mesh.totalArea());
+  if (size > 0) {
+    report.seamLength /= size;
+    report.handleLength /= size;
+  }
+  return seams;
+}
+
+/// The same for the whole, of which the part has everything in another order.
+SeamReport inWhole(const SeamPart& part, SeamReport report) {
+  report.found = part.toWhole(report.found);
+  report.eliminationRanks = part.toWhole(report.eliminationRanks);
+  report.scale = part.toWhole(report.scale);
+  report.foundScale = part.toWhole(report.foundScale);
+  return report;
+}
+
 }  // namespace
 
 Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport* report) {
   Stopwatch watch;
-  SeamReport own;
-  Seams seams = std::move(given);
-  seams.resize(mesh.twin.size(), 0);
-  for (const SurfaceCorner h : seams.ids()) {
-    if (!mesh.twin[h].exists()) seams[h] = 0;
-    if (seams[h]) seams[mesh.twin[h]] = seams[h] = 1;
+  given.resize(mesh.twin.size(), 0);
+  for (const SurfaceCorner h : given.ids()) {
+    if (!mesh.twin[h].exists()) given[h] = 0;
+    if (given[h]) given[mesh.twin[h]] = given[h] = 1;
   }
-  const bool isFree = options.isAuto && options.first.empty() &&
-                      std::find(seams.begin(), seams.end(), 1) == seams.end();
-  if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, own).run();
-  if (!isFree) own.asymmetry = Asymmetry::SeamsGiven;
-  if (isFree && !own.cancelled) SymmetricFinder(mesh, options).run(seams, own);
-  own.seamLength = lengthOf(mesh, seams);
-  const double size = std::sqrt(mesh.totalArea());
-  if (size > 0) {
-    own.seamLength /= size;
-    own.handleLength /= size;
+  // So that it is not the numbers that decide between seams that are equally good.
+  const SeamPart part = inGeometricOrder(mesh);
+  SeamOptions own = options;
+  own.first = part.ofCorners(options.first);
+  own.eliminationRanks = part.ofVertices(options.eliminationRanks);
+  SeamReport found;
+  const Seams seams = findInOrder(part.mesh, part.ofCorners(given), own, found);
+  if (report) {
+    *report = inWhole(part, std::move(found));
+    report->seconds = watch.lap();
   }
-  own.seconds = watch.lap();
-  if (report) *report = own;
-  return seams;
+  return part.toWhole(seams);
 }
 
 }  // namespace abflat

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/triangle_geometry.h"
+#include "seam/principal_axes.h"
 #include "seam/seam_tips.h"
 
 namespace abflat {
@@ -36,66 +37,18 @@ struct Plane {
   }
 };
 
-using Matrix = std::array<Vec3, 3>;
-
-/// The eigenvectors of a symmetric matrix, by Jacobi's rotations.
-Matrix eigenvectors(Matrix a) {
-  constexpr int kSweeps = 12;
-  Matrix v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-    for (std::size_t p = 0; p < 3; ++p)
-      for (std::size_t q = p + 1; q < 3; ++q) {
-        if (a[p][q] == 0) continue;
-        const double ratio = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        const double root = std::abs(ratio) + std::sqrt(ratio * ratio + 1);
-        const double tangent = (ratio < 0 ? -1 : 1) / root;
-        const double c = 1 / std::sqrt(tangent * tangent + 1), s = tangent * c;
-        for (std::size_t i = 0; i < 3; ++i) {
-          const double x = a[i][p], y = a[i][q];
-          a[i][p] = c * x - s * y;
-          a[i][q] = s * x + c * y;
-        }
-        for (Matrix* m : {&a, &v})
-          for (std::size_t i = 0; i < 3; ++i) {
-            const double x = (*m)[p][i], y = (*m)[q][i];
-            (*m)[p][i] = c * x - s * y;
-            (*m)[q][i] = s * x + c * y;
-          }
-      }
-  return v;
-}
-
-Vec3 centreOf(const SeamMesh& mesh, SurfaceTriangle triangle) {
-  Vec3 out{};
-  for (const SurfaceCorner c : cornersOf(triangle)) {
-    const Vec3 p = pointOf(mesh, mesh.vertexOfCorner[c]);
-    for (std::size_t i = 0; i < 3; ++i) out[i] += p[i] / 3;
-  }
-  return out;
-}
-
 /// Planes through the middle of the surface. A plane of symmetry is perpendicular to one of its
 /// principal axes; the coordinate axes are tried as well, for surfaces whose principal axes are
 /// ambiguous.
 std::vector<Plane> candidates(const SeamMesh& mesh) {
-  const double all = mesh.totalArea();
-  if (!(all > 0)) return {};
-  Vec3 middle{};
-  for (const SurfaceTriangle f : mesh.triangles()) {
-    const Vec3 p = centreOf(mesh, f);
-    for (std::size_t i = 0; i < 3; ++i) middle[i] += mesh.area[f] / all * p[i];
-  }
-  Matrix spread{};
-  for (const SurfaceTriangle f : mesh.triangles()) {
-    const Vec3 p = centreOf(mesh, f);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        spread[i][j] += mesh.area[f] / all * (p[i] - middle[i]) * (p[j] - middle[j]);
-  }
+  if (!(mesh.totalArea() > 0)) return {};
+  const PrincipalAxes principal = principalAxes(mesh);
   std::vector<Plane> out;
-  const auto add = [&](const Vec3& normal) { out.push_back({normal, dot(normal, middle)}); };
-  for (const Vec3& normal : eigenvectors(spread)) add(normal);
-  for (const Vec3& normal : Matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}) add(normal);
+  const auto add = [&](const Vec3& normal) {
+    out.push_back({normal, dot(normal, principal.middle)});
+  };
+  for (const Vec3& normal : principal.axes) add(normal);
+  for (const Vec3& normal : PrincipalAxes().axes) add(normal);
   return out;
 }
 

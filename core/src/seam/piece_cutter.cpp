@@ -68,12 +68,13 @@ double PieceCutter::distance(OpenVertex a, OpenVertex b) const {
 /// The vertices near point i of the loop; that point comes first.
 PieceCutter::Vertices PieceCutter::verticesNear(const Loop& loop, BoundaryIndex i,
                                                 double reach) const {
+  constexpr double kBarely = 1 - 1e-9;
   Vertices out{loop[i]};
   const std::size_t n = loop.size();
   for (const std::size_t step : {std::size_t{1}, n - 1})
     for (std::size_t k = (i + step) % n; k != i; k = (k + step) % n) {
       const OpenVertex v = loop[BoundaryIndex(k)];
-      if (!(distance(v, loop[i]) < reach)) break;
+      if (!(distance(v, loop[i]) < kBarely * reach)) break;
       out.push_back(v);
     }
   return out;
@@ -89,7 +90,7 @@ bool PieceCutter::isOpen(PieceId piece, SurfaceCorner h) const {
 /// times as long; empty if there is none.
 PieceCutter::Path PieceCutter::findPath(PieceId piece, const Vertices& from, const Vertices& to,
                                         double room) const {
-  constexpr double kStraightness = 8;
+  constexpr double kStraightness = 8, kSteps = 1048576;
   const OpenVertex a = from[0], b = to[0];
   const double straight = distance(a, b);
   IdVector<OpenVertex, double> reached(surface_.vertexCount(),
@@ -116,7 +117,9 @@ PieceCutter::Path PieceCutter::findPath(PieceId piece, const Vertices& from, con
       if (!isOpen(piece, h) || (isTaken_[w] && !contains(to, w)) ||
           distance(a, w) + distance(w, b) > room * straight)
         return;
-      const double off = std::abs(twiceArea(at_[a], at_[b], at_[w])) / (straight * straight);
+      // Rounded, so that it is not the noise of the layout that decides.
+      const double far = std::abs(twiceArea(at_[a], at_[b], at_[w])) / (straight * straight);
+      const double off = std::round(far * kSteps) / kSteps;
       const double sum = cost + mesh_.cost[h] * (1 + kStraightness * off);
       if (!(sum < reached[w])) return;
       reached[w] = sum;

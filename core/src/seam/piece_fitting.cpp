@@ -7,6 +7,9 @@
 namespace abflat {
 namespace {
 
+/// What differs by less is alike, so that it is not rounding that decides.
+constexpr double kAlike = 1e-9;
+
 using FlatLoop = IdVector<BoundaryIndex, PlanePoint>;
 
 double perimeterOf(const FlatLoop& loop) {
@@ -20,7 +23,8 @@ double perimeterOf(const FlatLoop& loop) {
 std::vector<BoundaryIndex> sampled(const FlatLoop& loop, double spacing) {
   std::vector<BoundaryIndex> out;
   for (const BoundaryIndex i : loop.ids())
-    if (out.empty() || distance(loop[i], loop[out.back()]) >= spacing) out.push_back(i);
+    if (out.empty() || distance(loop[i], loop[out.back()]) >= (1 - kAlike) * spacing)
+      out.push_back(i);
   return out;
 }
 
@@ -172,12 +176,13 @@ double PieceFitting::missingWith(const Candidate& c, double side, double most) {
 
 /// Possible cuts of the two largest pieces without a place.
 std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(const Placed& isPlaced) {
+  constexpr double kMore = 1 + kAlike;
   PieceId asked[2];
   const auto massOf = [&](PieceId p) { return p.exists() ? fit_.items()[p].mass.area : -1; };
   for (const PieceId p : isPlaced.ids()) {
-    if (isPlaced[p] || !shapes_[p].canCut || !(massOf(p) > massOf(asked[1]))) continue;
+    if (isPlaced[p] || !shapes_[p].canCut || !(massOf(p) > kMore * massOf(asked[1]))) continue;
     asked[1] = p;
-    if (massOf(p) > massOf(asked[0])) std::swap(asked[0], asked[1]);
+    if (massOf(p) > kMore * massOf(asked[0])) std::swap(asked[0], asked[1]);
   }
   std::vector<Candidate> out;
   for (const PieceId p : asked) {
@@ -205,17 +210,20 @@ bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, 
   const auto mostOf = [&](const Candidate& c) {
     return std::min(missing, kWithOthers * fit_.items()[c.piece].mass.area);
   };
+  // Those that promise the same halve their piece.
+  const auto rank = [&](const Candidate& c) {
+    return std::make_pair(std::round(mostOf(c) / (c.cost * unit_) / kAlike),
+                          std::round(c.chord.smallerShare() / kAlike));
+  };
   std::stable_sort(candidates.begin(), candidates.end(),
-                   [&](const Candidate& a, const Candidate& b) {
-                     return mostOf(a) * b.cost > mostOf(b) * a.cost;
-                   });
+                   [&](const Candidate& a, const Candidate& b) { return rank(a) > rank(b); });
   std::vector<std::uint32_t> asked;
   asked.reserve(candidates.size());
   for (const Candidate& c : candidates) asked.push_back(c.piece);
   fit_.hold(side, asked);
   double best = 0;
   for (Candidate& c : candidates) {
-    if (mostOf(c) <= best * c.cost || --tries < 0) continue;
+    if (mostOf(c) <= (1 + kAlike) * best * c.cost || --tries < 0) continue;
     c.gain = (missing - missingWith(c, side, missing - best * c.cost)) / c.cost;
     best = std::max(best, c.gain);
   }
@@ -225,14 +233,14 @@ bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, 
   while (best > 0) {
     Candidate* first = nullptr;
     for (Candidate& c : candidates)
-      if (c.gain > (first ? first->gain : 0)) first = &c;
+      if (c.gain > (first ? (1 + kAlike) * first->gain : 0)) first = &c;
     if (!first) break;
     if (cut(*first)) return true;
     first->gain = 0;
   }
   // No cut lets anything find a place yet, so halve a piece.
   for (const Candidate& c : candidates)
-    if (std::min(c.chord.share, 1 - c.chord.share) > kHalf && cut(c)) return true;
+    if (c.chord.smallerShare() > kHalf && cut(c)) return true;
   return false;
 }
 

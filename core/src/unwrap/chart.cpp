@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "base/counted.h"
+#include "base/point2.h"
 #include "flatten/chart_report.h"
 #include "flatten/planar.h"
 #include "flatten/refine_chart.h"
+#include "mesh/triangle_geometry.h"
 #include "seam/prediction.h"
 
 namespace abflat {
@@ -30,10 +32,24 @@ void keepMeasures(const DiskChart& chart, const StraightPlaces& straight, Attemp
   out.uncommon->straightPlaces = straight;
 }
 
+/// Whether slivers, which no measure of distortion counts, make the chart many times as long.
+bool isDrawnOut(const DiskChart& chart, const std::vector<double>& uv) {
+  constexpr double kMany = 10;
+  double onSurface = 0, inUv = 0;
+  for (const ChartCorner h : chart.boundary) {
+    const ChartVertex a = chart.vertexOfCorner[h], b = chart.vertexOfCorner[nextCorner(h)];
+    const Point2 p = pointAt(uv, a), q = pointAt(uv, b);
+    onSurface += norm(edgeVector(chart.positions, a, b));
+    inUv += norm(q[0] - p[0], q[1] - p[1]);
+  }
+  return inUv > kMany * onSurface;
+}
+
 void describe(const DiskChart& chart, const ChartWishes& wishes, Attempt& attempt, FlatChart& out) {
   if (attempt.straight) attempt.straight->released = wishes.released;
   out.problem = findProblem(chart, attempt);
   keepMeasures(chart, wishes.straight, attempt, out);
+  out.isDrawnOut = isDrawnOut(chart, inChartUnit(chart, out.unpacked));
 }
 
 FlatChart projectedChart(const DiskChart& chart, Attempt& attempt) {
@@ -115,6 +131,11 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   FlatChart free = flattenOne(chart, options, released(chart, wishes), patience, pool, goesOn);
   if (free.problem.empty()) return free;
   return out;
+}
+
+std::vector<double> inChartUnit(const DiskChart& chart, std::vector<double> uv) {
+  for (double& x : uv) x /= chart.unit;
+  return uv;
 }
 
 double areaOf(const DiskChart& chart) { return surfaceArea(chart) * chart.unit * chart.unit; }

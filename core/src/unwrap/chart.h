@@ -58,6 +58,7 @@ struct FlatChart {
   bool isGiven = false;      ///< uv is that of the input or an earlier run, which has been checked
   bool isCutEnough = false;  ///< no seam was found that would reduce its stretch
   bool isWhole = false;      ///< it cannot be split in two either
+  bool isDrawnOut = false;   ///< its outline is many times as long as on the surface
   Patience patience = Patience::All;
 
   /// A seam, or more patience, may be the better remedy.
@@ -72,6 +73,9 @@ struct ChartWishes {
   StraightPlaces straight;
   std::size_t released = 0;  ///< places that should be straight as well, but are not
 };
+
+/// Coordinates in the mesh's unit as the chart's own, exactly.
+std::vector<double> inChartUnit(const DiskChart& chart, std::vector<double> uv);
 
 /// Area of the surface, in the mesh's unit.
 double areaOf(const DiskChart& chart);

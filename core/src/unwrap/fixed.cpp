@@ -15,8 +15,6 @@
 namespace abflat {
 namespace {
 
-std::string nameOf(InputFace face) { return "face " + std::to_string(face); }
-
 /// Adds the faces listed in the options, with the texcoords of the input.
 Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,
                 FixedTriangles& out) {

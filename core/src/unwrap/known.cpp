@@ -177,8 +177,7 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
     if (uv.empty()) return;
     if (options.straightSeams && !hasSameEnds(mesh, i, before, now)) return;
     const DiskChart chart = mesh.set.chart(i);
-    std::vector<double> inUnits = uv;
-    for (double& x : inUnits) x /= chart.unit;
+    const std::vector<double> inUnits = inChartUnit(chart, uv);
     const bool keepsPlace = options.keepsPlaces && wishes[i].pins.empty();
     if (!checkSeparated(chart, inUnits).valid()) {
       // What is wrong stays so unless a seam may help.

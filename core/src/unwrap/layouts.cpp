@@ -5,6 +5,7 @@
 
 #include "base/counted.h"
 #include "base/number_text.h"
+#include "base/point2.h"
 #include "base/stable_order.h"
 
 namespace abflat {
@@ -20,6 +21,27 @@ std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
 
 /// Whether nothing but seams limits how little charts are stretched.
 bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !options.straightSeams; }
+
+/// Whether some vertices are asked to lie in certain places or on lines.
+bool namesVertices(const ChartWishes& wishes) {
+  return !wishes.pins.empty() || !wishes.straight.empty();
+}
+
+/// Flattens a chart in an order of its own, so that its layout does not depend on the mesh's. It is
+/// measured in the mesh's order, as layouts that are taken over are.
+FlatChart flattenInOrder(const ChartSet& set, ChartId i, const UnwrapOptionValues& options,
+                         Patience patience, ThreadPool& pool, const std::function<bool()>& goesOn) {
+  IdVector<ChartVertex, ChartVertex> former;
+  FlatChart out = flattenOne(set.chartInOrder(i, former), options, {}, patience, pool, goesOn);
+  if (out.unpacked.empty()) return out;
+  const DiskChart chart = set.chart(i);
+  std::vector<double> places(out.unpacked.size());
+  for (const ChartVertex v : former.ids()) setPoint(places, former[v], pointAt(out.unpacked, v));
+  out.unpacked = std::move(places);
+  out.area = areaOf(chart);
+  out.distortion = ChartDistortion(measureDistortion(chart, inChartUnit(chart, out.unpacked)));
+  return out;
+}
 
 }  // namespace
 
@@ -48,17 +70,19 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
     const ChartId i(order[k]);
     FlatChart& out = flat[i];
     if (isKnown(i)) return;
-    const DiskChart chart = set.chart(i);
     // Progress of all charts is reported, but only from the caller's own thread.
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
       return tell(static_cast<double>(done) / static_cast<double>(triangles));
     };
     const bool isCutEnough = out.isCutEnough, isWhole = out.isWhole;
-    out = flattenOne(chart, options, wishes[i], patienceFor(i), pool, goesOn);
+    const std::size_t size = set.topology(i).triangleCount();
+    out = namesVertices(wishes[i])
+              ? flattenOne(set.chart(i), options, wishes[i], patienceFor(i), pool, goesOn)
+              : flattenInOrder(set, i, options, patienceFor(i), pool, goesOn);
     out.isCutEnough = isCutEnough;
     out.isWhole = isWhole;
-    done += chart.triangleCount();
+    done += size;
   });
 }
 
@@ -78,7 +102,8 @@ IdVector<ChartId, std::uint8_t> ruinedCharts(const FlatCharts& flat, double most
   IdVector<ChartId, std::uint8_t> out;
   out.reserve(flat.size());
   for (const FlatChart& chart : flat) {
-    const bool isRuined = !chart.problem.empty() || isStretched(chart, 1 + kRuined * (most - 1));
+    const bool isRuined =
+        !chart.problem.empty() || chart.isDrawnOut || isStretched(chart, 1 + kRuined * (most - 1));
     out.push_back(!chart.isFixed && !chart.isWhole && isRuined);
   }
   return out;

@@ -9,6 +9,7 @@
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "hole/fill_holes.h"
+#include "seam/geometric_order.h"
 #include "seam/piece_fitting.h"
 
 namespace abflat {
@@ -32,10 +33,13 @@ RoomWish wishOf(const UnwrapOptionValues& options) {
   return {kBarely, std::min(kMore * options.minUtilization, kMostAsked)};
 }
 
-FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open) {
+/// `part`: the surface in the order in which cuts are sought.
+FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open, const SeamPart& part) {
   const LaidCharts& charts = packed.charts;
   FlatSurface out;
-  out.surface = cutAlong(open.mesh, open.seams);
+  out.surface = cutAlong(part.mesh, part.ofCorners(open.seams));
+  IdVector<SurfaceCorner, SurfaceCorner> inPart(part.wholeHalfEdge.size());
+  for (const SurfaceCorner h : part.wholeHalfEdge.ids()) inPart[part.wholeHalfEdge[h]] = h;
   out.at.resize(out.surface.vertexCount());
   out.canCut.assign(out.surface.charts.size(), 0);
   out.density.assign(out.surface.charts.size(), 1);
@@ -43,16 +47,16 @@ FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open) {
   for (const ChartId i : charts.set.ids()) {
     const ChartTopology chart = charts.set.topology(i);
     const FlatChart& flat = charts.flat[i];
-    const CutChartId cutChart = out.surface.chartOfTriangle[chart.triangles.front()];
+    const CutChartId cutChart = out.surface.chartOf(inPart[cornerOf(chart.triangles.front(), 0)]);
     out.canCut[cutChart] = flat.problem.empty();
     out.density[cutChart] = packed.density(i);
     area += flat.area;
     for (const ChartCorner c : chart.surfaceCorners()) {
       const auto [x, y] = pointAt(flat.unpacked, chart.vertexOfCorner[c]);
-      out.at[out.surface.tail(chart.onSurface(c))] = {x, y};
+      out.at[out.surface.tail(inPart[chart.onSurface(c)])] = {x, y};
     }
   }
-  out.unitArea = area / open.mesh.totalArea();
+  out.unitArea = area / part.mesh.totalArea();
   return out;
 }
 
@@ -196,10 +200,11 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   const auto gainTo = [&](double share) { return portable::log(share / utilization) / 2; };
   const double wanted = gainTo(wish.utilization);
   if (!(wanted > kLeast)) return out;
-  const FlatSurface surface = flatSurface(packed, open);
+  const SeamPart part = inGeometricOrder(open.mesh);
+  const FlatSurface surface = flatSurface(packed, open, part);
   const auto fittingOn = [&](int cells) {
     const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
-    return std::make_unique<PieceFitting>(open.mesh, surface, fit);
+    return std::make_unique<PieceFitting>(part.mesh, surface, fit);
   };
   auto uncut = fittingOn(kCells);
   const std::vector<LongChart> longCharts = uncut->longCharts();
@@ -210,7 +215,7 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   if (mode == RoomMode::All) search.cutAny(goesOn);
   const std::unique_ptr<PieceFitting> found = search.take();
   if (!found) return out;
-  out.halfEdges = found->cuts();
+  for (const SurfaceCorner h : found->cuts()) out.halfEdges.push_back(part.wholeHalfEdge[h]);
   out.count = found->count();
   out.length = found->length();
   return out;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "base/number_text.h"
@@ -327,9 +329,12 @@ void expectScale(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isA
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
   // Charts are factored in the order found for the whole surface.
-  out.eliminationRank.assign(welded.mesh.vertexCount(), 0);
-  for (const SurfaceVertex v : open.eliminationRanks.ids())
-    out.eliminationRank[open.inputVertex[v]] = open.eliminationRanks[v];
+  out.eliminationRank.assign(welded.mesh.vertexCount(), std::numeric_limits<std::uint32_t>::max());
+  for (const SurfaceVertex v : open.eliminationRanks.ids()) {
+    // The surface may meet itself in a vertex; then the numbers of its fans must not matter.
+    std::uint32_t& rank = out.eliminationRank[open.inputVertex[v]];
+    rank = std::min(rank, open.eliminationRanks[v]);
+  }
   return out;
 }
 

@@ -19,8 +19,6 @@ struct Island {
   std::string trouble;   ///< why it cannot stay, naming a face; empty: it can
 };
 
-std::string ownerOf(InputFace face) { return "face " + std::to_string(face) + "'s"; }
-
 class UnfitIslands {
  public:
   UnfitIslands(const SurfaceMap& map, bool hasTiles, FixedTriangles& fixed)
@@ -72,8 +70,8 @@ class UnfitIslands {
     Point2 low = {HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL};
     for (const SurfaceTriangle t : island.triangles) {
       const int sign = orientation(at(t, 0), at(t, 1), at(t, 2));
-      if (sign < 0) return blame(island, t, "is mirrored there");
-      if (sign == 0 && hasArea(t)) return blame(island, t, "is degenerate there");
+      if (sign < 0) return blame(island, t, "is mirrored");
+      if (sign == 0 && hasArea(t)) return blame(island, t, "is degenerate");
       island.area += areaOf(t);
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t d = 0; d < 2; ++d) {
@@ -86,12 +84,11 @@ class UnfitIslands {
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t d = 0; d < 2; ++d)
           if (!(at(t, k)[d] >= tile[d] && at(t, k)[d] <= tile[d] + 1))
-            return blame(island, t,
-                         hasTiles_ ? "leaves its tile there" : "leaves the unit square there");
+            return blame(island, t, hasTiles_ ? "leaves its tile" : "leaves the unit square");
   }
 
   void blame(Island& island, SurfaceTriangle t, const std::string& why) const {
-    island.trouble = ownerOf(map_.face(t)) + " " + why;
+    island.trouble = nameOf(map_.face(t)) + " " + why;
   }
 
   bool hasArea(SurfaceTriangle t) const {
@@ -125,8 +122,9 @@ class UnfitIslands {
       Island& island = islands_[order[i]];
       if (other[i] == kNoOverlap || island.isChart) continue;
       const SurfaceTriangle there = islands_[order[other[i]]].triangles.front();
-      const std::string what = other[i] == i ? "itself" : ownerOf(map_.face(there));
-      blame(island, island.triangles.front(), "overlaps " + what);
+      const std::string what = other[i] == i ? "itself" : "that of " + nameOf(map_.face(there));
+      island.trouble =
+          "the island of " + nameOf(map_.face(island.triangles.front())) + " overlaps " + what;
     }
   }
 

@@ -7,6 +7,8 @@
 
 namespace abflat {
 
+inline std::string nameOf(InputFace face) { return "face " + std::to_string(face); }
+
 /// The lower left corner of the tile that contains the middle of an island's box.
 Point2 tileAround(const Point2& low, const Point2& high, bool hasTiles);
 

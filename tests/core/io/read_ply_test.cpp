@@ -236,7 +236,8 @@ TEST_CASE("PLY: what is wrong in a text is named with its line", "[ply]") {
   checkPlyError(changed("3 2 1 0", "3 2 1 4"), "a.ply:17: ", "vertex 4, but the file has 4");
   checkPlyError(changed("3 2 1 0", "3 2 1 -1"), "a.ply:17: ", "vertex -1");
   checkPlyError(changed("3 2 1 0", "3 2 1 0.5"), "a.ply:17: ", "'0.5' is not a vertex number");
-  checkPlyError(changed("3 2 1 0\n", ""), "a.ply:16: ", "2 of 'face', but the file ends after 1");
+  checkPlyError(changed("3 2 1 0\n", ""),
+                "a.ply:16: ", "2 elements 'face', but the file ends after 1");
   checkPlyError(good + "3 0 1 2\n", "a.ply:18: ", "goes on after the last row");
   checkPlyError(changed("face 2", "face 4000000000"), "a.ply:17: ", "ends after 2");
   checkPlyError(changed("vertex 4", "vertex 4000000000"), "a.ply:16: ", "more values");
@@ -264,10 +265,11 @@ TEST_CASE("PLY: what is wrong in binary data is named with its row and byte", "[
   checkPlyError(changed(face + 4, "\xff"), "a.ply: face 0 (byte ", "vertex -16777216");
   checkPlyError(good.substr(0, good.size() - 1), "a.ply: the file ends at byte ",
                 "within 'face' 1");
-  checkPlyError(good.substr(0, face), "a.ply: the file ends at byte ", "before the 2 of 'face'");
+  checkPlyError(good.substr(0, face), "a.ply: the file ends at byte ",
+                "before the 2 elements 'face'");
   checkPlyError(good + "x", "a.ply: the file has 1 bytes", "after");
-  checkPlyError(promising("vertex 4", "vertex 4000000000"), "a.ply: ", "before the 4000000000 of");
-  checkPlyError(promising("face 2", "face 9000000000000000000"), "a.ply: ", "of 'face'");
+  checkPlyError(promising("vertex 4", "vertex 4000000000"), "a.ply: ", "before the 4000000000 elem");
+  checkPlyError(promising("face 2", "face 9000000000000000000"), "a.ply: ", "elements 'face'");
   const std::string other = plyFile(
       "binary_big_endian", {{"strange", {"list int double a"}, {{1, 5}}}, vertices(), faces()});
   std::string negative = other, endless = other;

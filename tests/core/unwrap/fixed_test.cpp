@@ -270,9 +270,9 @@ TEST_CASE("islands that cannot stay are unwrapped, the others stay, and a note n
   // One chart is spoilt in each of these ways; all others keep their texcoords.
   using Spoil = std::function<void(double*)>;
   const std::pair<const char*, Spoil> ways[] = {
-      {"is mirrored there", [](double* uv) { uv[0] = 1 - uv[0]; }},
-      {"is degenerate there", [](double* uv) { uv[0] = 0.5; }},
-      {"leaves the unit square there", [](double* uv) { uv[1] += 1.5; }},
+      {"is mirrored", [](double* uv) { uv[0] = 1 - uv[0]; }},
+      {"is degenerate", [](double* uv) { uv[0] = 0.5; }},
+      {"leaves the unit square", [](double* uv) { uv[1] += 1.5; }},
   };
   for (const auto& [why, spoil] : ways) {
     for (std::uint32_t chart = 0; chart < count; ++chart) {

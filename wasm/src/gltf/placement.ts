@@ -60,7 +60,7 @@ export class Placements {
       ? 'Their scales differ, so each layout is sized for the largest node. '
       : '';
     return [
-      `${nodes} nodes share ${shared.length} ${shared.length === 1 ? 'mesh' : 'meshes'} and so also texels. ${scales}Give a node a mesh of its own for texels of its own`,
+      `${nodes} nodes share ${shared.length} ${shared.length === 1 ? 'mesh and its' : 'meshes and their'} texels. ${scales}Give a node a mesh of its own for texels of its own`,
     ];
   }
 }

@@ -847,6 +847,9 @@ export const SEAM_SOURCES = {
   none: 'fewest possible seams',
 };
 
+/** A loop that ends at once is an edge. */
+const loopOf = (edges: number) => (edges === 1 ? '1 edge' : `a loop of ${counted(edges, 'edge')}`);
+
 /** Seams that are edited. */
 export const SEAMS = {
   toCut: 'Click a vertex to start a cut, double-click an edge to cut its loop',
@@ -856,8 +859,7 @@ export const SEAMS = {
   toSelect: 'Click a chart to select it',
   startHere: (vertex: number) => `Vertex ${vertex}: start a cut`,
   paintHere: (vertex: number) => `Vertex ${vertex}: drag to paint a seam, or click to start a cut`,
-  orCutLoop: (start: string, edges: number) =>
-    `${start}. Double-click: cut a loop of ${counted(edges, 'edge')}`,
+  orCutLoop: (start: string, edges: number) => `${start}. Double-click: cut ${loopOf(edges)}`,
   cutTo: (from: number, to: number, edges: number, length: number) =>
     `Vertex ${from} to ${to}: cut ${counted(edges, 'edge')}, ${measure(length)} long`,
   toEndCut: (from: number) => `From vertex ${from}: click the end of the cut, Esc cancels`,
@@ -867,7 +869,7 @@ export const SEAMS = {
   started: (vertex: number) => `Cut started at vertex ${vertex}`,
   notConnected: (from: number, to: number) => `No edges connect vertex ${from} to vertex ${to}`,
   cut: (edges: number) => `Cut ${counted(edges, 'edge')}`,
-  cutLoop: (edges: number) => `Cut a loop of ${counted(edges, 'edge')}`,
+  cutLoop: (edges: number) => `Cut ${loopOf(edges)}`,
   alreadyCut: 'Already cut',
   cancelled: 'Cut cancelled',
   joined: (edges: number) => `Joined ${counted(edges, 'edge')}`,

@@ -64,8 +64,8 @@ export class AtlasControl {
   }
 
   /** Another mesh was opened. */
-  open({ texcoords }: MeshSummary): void {
-    this.more.open(texcoords > 0);
+  open({ summary, isReread }: { summary: MeshSummary; isReread: boolean }): void {
+    this.more.open(summary.texcoords > 0, isReread);
   }
 
   get settings(): Omit<UnwrapSettings, 'seams' | 'seamEdges'> {

@@ -70,11 +70,14 @@ export class MoreControl {
     this.show();
   }
 
-  /** Another mesh was opened; nobody has asked to keep its uv yet. `hasUv`: it has some. */
-  open(hasUv: boolean): void {
+  /**
+   * Another mesh was opened. Nobody has asked to keep its uv yet, unless only the texcoord set is
+   * another one. `hasUv`: it has some.
+   */
+  open(hasUv: boolean, isReread: boolean): void {
     this.keepUv.hidden = !hasUv;
     const { fixedFaces, ...others } = this.options;
-    this.options = others;
+    if (!hasUv || !isReread) this.options = others;
     this.show();
   }
 

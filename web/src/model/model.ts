@@ -28,6 +28,10 @@ export interface FileSource {
   texcoord?: number;
 }
 
+/** Whether both are one file, perhaps read with different texcoord sets. */
+export const isSameFile = (a: Source, b: Source) =>
+  a.kind === 'file' && b.kind === 'file' && a.file === b.file;
+
 export const isGltf = ({ name }: Source) => /\.(glb|gltf)$/i.test(name);
 
 /** The formats that can be written, in the order in which they are offered. */

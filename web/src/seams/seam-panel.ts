@@ -7,14 +7,7 @@ import type { DisplayMesh } from '../mesh/mesh';
 import type { Unwrapped } from '../model/model';
 import type { MeshView } from '../view/mesh-view';
 import type { Workshop } from '../workshop/workshop';
-import {
-  AUTOMATIC,
-  choiceOf,
-  type SeamChoice,
-  type SeamOptions,
-  type SeamSources,
-  seamOptions,
-} from './seam-choice';
+import { AUTOMATIC, choiceOf, type SeamChoice, type SeamOptions, seamOptions } from './seam-choice';
 import { pairsOf } from './seam-edges';
 import { SeamEditor } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
@@ -26,7 +19,9 @@ import { SourceControl } from './source-control';
 const solids = () => loadPart(import('../surface/solid'));
 
 /** The choice for another mesh, whose islands and materials are its own. */
-function taken(sources: SeamSources): SeamChoice {
+function takenOver({ sources, edges }: SeamChoice, isReread: boolean): SeamChoice {
+  if (edges) return AUTOMATIC;
+  if (isReread) return { sources, edges };
   const isOfFile = sources.uv || sources.material;
   return {
     sources: { ...sources, uv: false, material: false, auto: sources.auto || isOfFile },
@@ -39,6 +34,8 @@ export interface Editable {
   mesh: DisplayMesh;
   summary: MeshSummary;
   name: string;
+  /** Whether this is the file before, read with another texcoord set. */
+  isReread: boolean;
 }
 
 export interface SeamPanelEvents {
@@ -182,8 +179,7 @@ export class SeamPanel {
     this.prepared = startOnce(async () => {
       surface = await this.surfaceOf(mesh);
     });
-    const { edges, sources } = this.choice;
-    this.model = new SeamModel(() => surface, edges ? AUTOMATIC : taken(sources));
+    this.model = new SeamModel(() => surface, takenOver(this.choice, mesh.isReread));
     this.sources.offer({ uv: summary.texcoords > 0, material: summary.materials > 1 });
     this.sources.show(this.choice);
     this.hide();

@@ -29,13 +29,17 @@ type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces' | 'se
  * stay where they are.
  */
 function fromEarlier(settings: UnwrapSettings, last: Unwrapped | null): Earlier {
-  const { kept, placed } = settings;
+  const { kept, placed, fixedFaces } = settings;
   const isMoved = placed !== undefined && placed !== last?.settings.placed;
   const keepsPlaces = isMoved || (last !== null && isSeamEdit(last.settings, settings));
   const layout = (isMoved ? placed : undefined) ?? last?.result;
   // Moving charts cuts nothing.
   const seams = isMoved ? { seams: 'none', seamEdges: placed.seams } : {};
-  if (!kept || kept.charts.length === 0) return { known: layout, keepsPlaces, ...seams };
+  if (!kept || kept.charts.length === 0) {
+    // Beside faces that stay, a chart is factored in another order, which changes its last digits.
+    const isKnown = keepsPlaces || last?.settings.fixedFaces === fixedFaces;
+    return { ...(isKnown && { known: layout }), keepsPlaces, ...seams };
+  }
   // The numbers of locked charts are those of the layout in which they were locked.
   const isSame = keepsPlaces && (isMoved || kept.layout === last?.result);
   const known = isSame ? layout : kept.layout;

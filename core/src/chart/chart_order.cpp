@@ -1,0 +1,94 @@
+#include "chart/chart_order.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/double_bits.h"
+#include "base/few_bits.h"
+#include "mesh/corner_colors.h"
+
+namespace abflat {
+namespace {
+
+/// The corner of least color, which depends on the chart alone: the rest of the mesh may change.
+/// Corners that are alike come in order of where they lie.
+ChartCorner startOf(const DiskChart& chart) {
+  constexpr std::size_t kFewest = 4, kMost = 64, kWork = 250000;
+  const std::size_t rounds = std::clamp(kWork / (chart.corners().size() + 1), kFewest, kMost);
+  IdVector<ChartCorner, std::uint64_t> own(chart.corners().size(), 0);
+  for (const ChartCorner h : chart.surfaceCorners())
+    own[h] = mixedBits(bitsOf(inFewBits(chart.angles[triangleOf(h)][placeInTriangle(h)])),
+                       chart.twin[h].exists());
+  const auto color = cornerColors(std::move(own), chart.twin, rounds, [] {});
+  const auto places = [&](ChartCorner h) {
+    std::array<double, 9> out{};
+    auto to = out.begin();
+    for (const ChartCorner c : {h, nextCorner(h), prevCorner(h)})
+      to = std::copy_n(&chart.positions[3 * std::size_t{chart.vertexOfCorner[c]}], 3, to);
+    return out;
+  };
+  ChartCorner least(0);
+  for (const ChartCorner h : chart.surfaceCorners())
+    if (color[h] < color[least] || (color[h] == color[least] && places(h) < places(least)))
+      least = h;
+  return least;
+}
+
+/// The first corner of each triangle, in the order of the walk; those that fill holes come last.
+std::vector<ChartCorner> walk(const DiskChart& chart) {
+  std::vector<std::uint8_t> isSeen(chart.triangleCount(), 0);
+  std::vector<ChartCorner> out{startOf(chart)};
+  out.reserve(chart.triangleCount());
+  isSeen[triangleOf(out.front())] = 1;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (ChartCorner h : {out[i], nextCorner(out[i]), prevCorner(out[i])}) {
+      h = chart.twin[h];
+      if (!h.exists() || isSeen[triangleOf(h)]) continue;
+      isSeen[triangleOf(h)] = 1;
+      out.push_back(h);
+    }
+  if (chart.fillingTriangles == 0) return out;
+  const auto isOnSurface = [&](ChartCorner c) {
+    return triangleOf(c) < chart.triangleCount() - chart.fillingTriangles;
+  };
+  std::vector<ChartCorner> parted;
+  parted.reserve(out.size());
+  for (const bool isAsked : {true, false})
+    for (const ChartCorner c : out)
+      if (isOnSurface(c) == isAsked) parted.push_back(c);
+  return parted;
+}
+
+}  // namespace
+
+DiskChart walkedThrough(const DiskChart& chart, IdVector<ChartVertex, ChartVertex>& former) {
+  DiskChart out;
+  out.fillingTriangles = chart.fillingTriangles;
+  out.filledHoles = chart.filledHoles;
+  IdVector<ChartCorner, ChartCorner> now(chart.twin.size());
+  IdVector<ChartVertex, ChartVertex> vertex(chart.vertexCount());
+  ChartCorner next(0);
+  former.clear();
+  for (const ChartCorner first : walk(chart))
+    for (const ChartCorner c : {first, nextCorner(first), prevCorner(first)}) {
+      now[c] = next;
+      ++next;
+      const ChartVertex v = chart.vertexOfCorner[c];
+      if (!vertex[v].exists()) {
+        vertex[v] = former.push_back(v);
+        out.inputVertex.push_back(chart.inputVertex[v]);
+        if (!chart.eliminationRank.empty()) out.eliminationRank.push_back(chart.eliminationRank[v]);
+      }
+      out.vertexOfCorner.push_back(vertex[v]);
+    }
+  out.twin.resize(chart.twin.size());
+  for (const ChartCorner c : now.ids())
+    if (chart.twin[c].exists()) out.twin[now[c]] = now[chart.twin[c]];
+  for (const ChartCorner h : chart.boundary) out.boundary.push_back(now[h]);
+  std::rotate(out.boundary.begin(), std::min_element(out.boundary.begin(), out.boundary.end()),
+              out.boundary.end());
+  return out;
+}
+
+}  // namespace abflat

@@ -1,0 +1,165 @@
+#include "seam/geometric_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/double_bits.h"
+#include "base/stable_order.h"
+#include "mesh/corner_colors.h"
+
+namespace abflat {
+namespace {
+
+using Colors = IdVector<SurfaceCorner, std::uint64_t>;
+
+/// What the surface looks like from each corner.
+Colors colorsOf(const SeamMesh& mesh, const Pulse& pulse) {
+  constexpr std::size_t kFewest = 4, kMost = 64, kWork = 1000000;
+  const std::size_t rounds = std::clamp(kWork / (mesh.corners().size() + 1), kFewest, kMost);
+  Colors own(mesh.corners().size(), 0);
+  for (const SurfaceCorner h : mesh.corners()) {
+    // What fills holes is not measured as well.
+    if (mesh.isFilling(triangleOf(h))) continue;
+    own[h] =
+        mixedBits(mixedBits(bitsOf(mesh.length[h]), bitsOf(mesh.cost[h])), mesh.twin[h].exists());
+  }
+  return cornerColors(std::move(own), mesh.twin, rounds,
+                      [&] { pulse.beat(mesh.corners().size()); });
+}
+
+/// Walks each piece of the surface from one corner on. The order of triangles, and the corner that
+/// each is entered by, depend on nothing but that corner.
+class Walk {
+ public:
+  explicit Walk(const SeamMesh& mesh) : mesh_(mesh), isSeen_(mesh.triangleCount(), 0) {}
+
+  /// Appends the first corners of all triangles in the piece.
+  void add(SurfaceCorner start, std::vector<SurfaceCorner>& out) {
+    std::size_t i = out.size();
+    out.push_back(start);
+    isSeen_[triangleOf(start)] = 1;
+    for (; i < out.size(); ++i)
+      for (SurfaceCorner h : {out[i], nextCorner(out[i]), prevCorner(out[i])}) {
+        h = mesh_.twin[h];
+        if (!h.exists() || isSeen_[triangleOf(h)]) continue;
+        isSeen_[triangleOf(h)] = 1;
+        out.push_back(h);
+      }
+  }
+  bool isSeen(SurfaceTriangle f) const { return isSeen_[f] != 0; }
+
+ private:
+  const SeamMesh& mesh_;
+  IdVector<SurfaceTriangle, std::uint8_t> isSeen_;
+};
+
+/// By color; corners whose surroundings are the same come in order of where they lie, and by number
+/// only if several lie there.
+class CornerOrder {
+ public:
+  CornerOrder(const SeamMesh& mesh, const Colors& colors) : mesh_(mesh), colors_(colors) {}
+
+  bool operator()(SurfaceCorner a, SurfaceCorner b) const {
+    if (colors_[a] != colors_[b]) return colors_[a] < colors_[b];
+    const std::array<double, 9> p = places(a), q = places(b);
+    return p != q ? p < q : a < b;
+  }
+
+ private:
+  /// On a grid, so that a change of unit makes no difference.
+  std::array<double, 9> places(SurfaceCorner h) const {
+    constexpr double kGrid = 268435456;  // 2^28 steps over the extent
+    std::array<double, 9> out;
+    auto* to = out.data();
+    for (const SurfaceCorner c : {h, nextCorner(h), prevCorner(h)}) {
+      const double* const p = &mesh_.positions[3 * std::size_t{mesh_.vertexOfCorner[c]}];
+      to = std::transform(p, p + 3, to, [](double x) { return std::floor(x * kGrid + 0.5); });
+    }
+    return out;
+  }
+
+  const SeamMesh& mesh_;
+  const Colors& colors_;
+};
+
+/// The first corner of each piece, in order.
+std::vector<SurfaceCorner> startsOf(const SeamMesh& mesh, const CornerOrder& isLess) {
+  std::vector<SurfaceCorner> out, piece;
+  Walk walk(mesh);
+  for (const SurfaceTriangle f : mesh.triangles()) {
+    if (walk.isSeen(f)) continue;
+    piece.clear();
+    walk.add(cornerOf(f, 0), piece);
+    SurfaceCorner least = piece.front();
+    for (const SurfaceCorner c : piece)
+      for (const SurfaceCorner h : cornersOf(triangleOf(c)))
+        if (isLess(h, least)) least = h;
+    out.push_back(least);
+  }
+  sortStably(out, isLess);
+  return out;
+}
+
+/// The first corner of each triangle, in the new order, in which those that fill holes come last.
+std::vector<SurfaceCorner> firstCorners(const SeamMesh& mesh, const Colors& colors) {
+  std::vector<SurfaceCorner> all, out;
+  Walk walk(mesh);
+  for (const SurfaceCorner start : startsOf(mesh, CornerOrder(mesh, colors))) walk.add(start, all);
+  out.reserve(all.size());
+  for (const bool isFilling : {false, true})
+    for (const SurfaceCorner c : all)
+      if (mesh.isFilling(triangleOf(c)) == isFilling) out.push_back(c);
+  return out;
+}
+
+void addTriangle(const SeamMesh& mesh, SurfaceCorner first, SeamPart& out) {
+  const SurfaceTriangle f = triangleOf(first);
+  SeamMesh& m = out.mesh;
+  m.area.push_back(mesh.area[f]);
+  if (!mesh.hole.empty()) m.hole.push_back(mesh.hole[f]);
+  if (!mesh.excess.empty()) m.excess.push_back(mesh.excess[f]);
+  for (const SurfaceCorner h : {first, nextCorner(first), prevCorner(first)}) {
+    out.wholeHalfEdge.push_back(h);
+    m.angle.push_back(mesh.angle[h]);
+    m.length.push_back(mesh.length[h]);
+    m.cost.push_back(mesh.cost[h]);
+    m.weight.push_back(mesh.weight[h]);
+  }
+}
+
+void addVertices(const SeamMesh& mesh, SeamPart& out) {
+  SeamMesh& m = out.mesh;
+  IdVector<SurfaceVertex, SurfaceVertex> now(mesh.vertexCount());
+  for (const SurfaceCorner h : out.wholeHalfEdge) {
+    const SurfaceVertex v = mesh.vertexOfCorner[h];
+    if (!now[v].exists()) {
+      const double* const p = &mesh.positions[3 * std::size_t{v}];
+      m.positions.insert(m.positions.end(), p, p + 3);
+      out.wholeVertex.push_back(v);
+      now[v] = m.vertexArea.push_back(0);
+      m.angleSum.push_back(mesh.angleSum[v]);
+    }
+    m.vertexOfCorner.push_back(now[v]);
+    m.vertexArea[now[v]] += mesh.area[triangleOf(h)] / 3;
+  }
+}
+
+}  // namespace
+
+SeamPart inGeometricOrder(const SeamMesh& mesh, const Pulse& pulse) {
+  SeamPart out;
+  for (const SurfaceCorner first : firstCorners(mesh, colorsOf(mesh, pulse)))
+    addTriangle(mesh, first, out);
+  addVertices(mesh, out);
+  IdVector<SurfaceCorner, SurfaceCorner> now(mesh.corners().size());
+  for (const SurfaceCorner h : out.wholeHalfEdge.ids()) now[out.wholeHalfEdge[h]] = h;
+  for (const SurfaceCorner h : out.wholeHalfEdge) {
+    const SurfaceCorner o = mesh.twin[h];
+    out.mesh.twin.push_back(o.exists() ? now[o] : SurfaceCorner());
+  }
+  return out;
+}
+
+}  // namespace abflat
