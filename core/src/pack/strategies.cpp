@@ -59,6 +59,7 @@ std::vector<std::uint32_t> ordered(const std::vector<PackItem>& items, Key key, 
   double largest = 0;
   for (const PackItem& item : items) largest = std::max(largest, sizeOf(item, key));
   std::vector<double> size;
+  size.reserve(items.size());
   for (const PackItem& item : items)
     size.push_back(std::round(largest > 0 ? sizeOf(item, key) / largest * kDigits : 0));
   std::vector<std::uint32_t> order = largestFirst(size);

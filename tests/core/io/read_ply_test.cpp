@@ -268,7 +268,8 @@ TEST_CASE("PLY: what is wrong in binary data is named with its row and byte", "[
   checkPlyError(good.substr(0, face), "a.ply: the file ends at byte ",
                 "before the 2 elements 'face'");
   checkPlyError(good + "x", "a.ply: the file has 1 bytes", "after");
-  checkPlyError(promising("vertex 4", "vertex 4000000000"), "a.ply: ", "before the 4000000000 elem");
+  checkPlyError(promising("vertex 4", "vertex 4000000000"),
+                "a.ply: ", "before the 4000000000 elem");
   checkPlyError(promising("face 2", "face 9000000000000000000"), "a.ply: ", "elements 'face'");
   const std::string other = plyFile(
       "binary_big_endian", {{"strange", {"list int double a"}, {{1, 5}}}, vertices(), faces()});
