@@ -2,37 +2,27 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
-
-#include "base/double_bits.h"
-#include "base/few_bits.h"
-#include "mesh/corner_colors.h"
 
 namespace abflat {
 namespace {
 
-/// The corner of least color, which depends on the chart alone: the rest of the mesh may change.
-/// Corners that are alike come in order of where they lie.
+/// The corner of least ranks, of which its triangle's other corners have the second and third say.
 ChartCorner startOf(const DiskChart& chart) {
-  constexpr std::size_t kFewest = 4, kMost = 64, kWork = 250000;
-  const std::size_t rounds = std::clamp(kWork / (chart.corners().size() + 1), kFewest, kMost);
-  IdVector<ChartCorner, std::uint64_t> own(chart.corners().size(), 0);
-  for (const ChartCorner h : chart.surfaceCorners())
-    own[h] = mixedBits(bitsOf(inFewBits(chart.angles[triangleOf(h)][placeInTriangle(h)])),
-                       chart.twin[h].exists());
-  const auto color = cornerColors(std::move(own), chart.twin, rounds, [] {});
-  const auto places = [&](ChartCorner h) {
-    std::array<double, 9> out{};
-    auto to = out.begin();
-    for (const ChartCorner c : {h, nextCorner(h), prevCorner(h)})
-      to = std::copy_n(&chart.positions[3 * std::size_t{chart.vertexOfCorner[c]}], 3, to);
-    return out;
+  ChartCorner out(0);
+  if (chart.eliminationRank.empty()) return out;
+  using Ranks = std::array<std::uint32_t, 3>;
+  const auto rank = [&](ChartCorner c) { return chart.eliminationRank[chart.vertexOfCorner[c]]; };
+  const auto ranks = [&](ChartCorner c) {
+    return Ranks{rank(c), rank(nextCorner(c)), rank(prevCorner(c))};
   };
-  ChartCorner least(0);
-  for (const ChartCorner h : chart.surfaceCorners())
-    if (color[h] < color[least] || (color[h] == color[least] && places(h) < places(least)))
-      least = h;
-  return least;
+  Ranks least = ranks(out);
+  for (const ChartCorner c : chart.surfaceCorners()) {
+    const Ranks own = ranks(c);
+    if (!(own < least)) continue;
+    least = own;
+    out = c;
+  }
+  return out;
 }
 
 /// The first corner of each triangle, in the order of the walk; those that fill holes come last.

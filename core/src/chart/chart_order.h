@@ -4,9 +4,8 @@
 
 namespace abflat {
 
-/// The same chart, numbered along a walk that depends on its shape alone, not on its numbers or on
-/// the rest of the mesh. `former`: the number that each vertex had. Leaves out what placeChart
-/// sets.
+/// The same chart, numbered along a walk that begins where elimination ranks are lowest. `former`:
+/// the number that each vertex had. Leaves out what placeChart sets.
 DiskChart walkedThrough(const DiskChart& chart, IdVector<ChartVertex, ChartVertex>& former);
 
 }  // namespace abflat

@@ -38,8 +38,8 @@ class ChartSet {
   IdRange<ChartId> ids() const { return IdRange<ChartId>(size()); }
   ChartTopology topology(ChartId i) const;
   DiskChart chart(ChartId i) const;
-  /// The chart in an order of its own, see walkedThrough. `former`: the number that each vertex has
-  /// in chart(i).
+  /// The chart in an order that does not depend on the numbers of the input, as far as elimination
+  /// ranks do not. `former`: the number that each vertex has in chart(i).
   DiskChart chartInOrder(ChartId i, IdVector<ChartVertex, ChartVertex>& former) const;
   /// The texcoord of a chart's first vertex; those of its other vertices follow. For the index one
   /// past the last chart it is the total count.

@@ -3,30 +3,48 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
-#include "base/double_bits.h"
 #include "base/stable_order.h"
-#include "mesh/corner_colors.h"
 
 namespace abflat {
 namespace {
 
 using Colors = IdVector<SurfaceCorner, std::uint64_t>;
 
-/// What the surface looks like from each corner.
+std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t x = (a ^ (b + 0x9e3779b97f4a7c15u + (a << 6) + (a >> 2))) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ x >> 29) * 0x94d049bb133111ebu;
+  return x ^ x >> 32;
+}
+
+std::uint64_t bitsOf(double x) {
+  std::uint64_t out = 0;
+  std::memcpy(&out, &x, sizeof out);
+  return out;
+}
+
+/// A number per corner that tells what the surface looks like from there: each round looks one
+/// triangle farther.
 Colors colorsOf(const SeamMesh& mesh, const Pulse& pulse) {
   constexpr std::size_t kFewest = 4, kMost = 64, kWork = 1000000;
   const std::size_t rounds = std::clamp(kWork / (mesh.corners().size() + 1), kFewest, kMost);
-  Colors own(mesh.corners().size(), 0);
+  Colors now(mesh.corners().size(), 0), next(now.size());
   for (const SurfaceCorner h : mesh.corners()) {
     // What fills holes is not measured as well.
     if (mesh.isFilling(triangleOf(h))) continue;
-    own[h] =
-        mixedBits(mixedBits(bitsOf(mesh.length[h]), bitsOf(mesh.cost[h])), mesh.twin[h].exists());
+    now[h] = mixed(mixed(bitsOf(mesh.length[h]), bitsOf(mesh.cost[h])), mesh.twin[h].exists());
   }
-  return cornerColors(std::move(own), mesh.twin, rounds,
-                      [&] { pulse.beat(mesh.corners().size()); });
+  for (std::size_t k = 0; k < rounds; ++k) {
+    for (const SurfaceCorner h : mesh.corners()) {
+      const SurfaceCorner o = mesh.twin[h];
+      next[h] = mixed(mixed(now[h], now[nextCorner(h)]), o.exists() ? now[o] : 0);
+    }
+    std::swap(now, next);
+    pulse.beat(mesh.corners().size());
+  }
+  return now;
 }
 
 /// Walks each piece of the surface from one corner on. The order of triangles, and the corner that
@@ -106,7 +124,8 @@ std::vector<SurfaceCorner> startsOf(const SeamMesh& mesh, const CornerOrder& isL
 std::vector<SurfaceCorner> firstCorners(const SeamMesh& mesh, const Colors& colors) {
   std::vector<SurfaceCorner> all, out;
   Walk walk(mesh);
-  for (const SurfaceCorner start : startsOf(mesh, CornerOrder(mesh, colors))) walk.add(start, all);
+  for (const SurfaceCorner start : startsOf(mesh, CornerOrder(mesh, colors)))
+    walk.add(start, all);
   out.reserve(all.size());
   for (const bool isFilling : {false, true})
     for (const SurfaceCorner c : all)
