@@ -62,7 +62,8 @@ std::string remedy(const UnwrapOptions& options, bool isFixed) {
 IdVector<ChartId, NearParts> nearPartsOf(const PackedCharts& packed,
                                          const std::vector<double>& positions,
                                          const UnwrapOptionValues& options) {
-  const auto& [set, flat] = packed.charts;
+  const ChartSet& set = packed.charts.set;
+  const FlatCharts& flat = packed.charts.flat;
   IdVector<ChartId, NearParts> out(set.size());
   if (options.padding == 0) return out;
   parallelFor(&packed.pool, set.size(), [&](std::size_t k) {
