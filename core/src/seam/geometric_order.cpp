@@ -124,8 +124,7 @@ std::vector<SurfaceCorner> startsOf(const SeamMesh& mesh, const CornerOrder& isL
 std::vector<SurfaceCorner> firstCorners(const SeamMesh& mesh, const Colors& colors) {
   std::vector<SurfaceCorner> all, out;
   Walk walk(mesh);
-  for (const SurfaceCorner start : startsOf(mesh, CornerOrder(mesh, colors)))
-    walk.add(start, all);
+  for (const SurfaceCorner start : startsOf(mesh, CornerOrder(mesh, colors))) walk.add(start, all);
   out.reserve(all.size());
   for (const bool isFilling : {false, true})
     for (const SurfaceCorner c : all)
