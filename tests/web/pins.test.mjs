@@ -17,7 +17,7 @@ import {
 
 const RING = objText(torus(24, 12));
 
-/** The corners of faces of the largest chart, far from each other. */
+/** Corners of faces of the largest chart, far from each other. The bar of pins is far from the first. */
 function farCorners({ uv, ofFace }, count) {
   const sizes = new Map();
   for (const chart of ofFace) sizes.set(chart, (sizes.get(chart) ?? 0) + 1);
@@ -25,7 +25,7 @@ function farCorners({ uv, ofFace }, count) {
   const all = uv.flatMap((corners, f) =>
     ofFace[f] === largest ? corners.map((at, k) => ({ f, k, at })) : [],
   );
-  const found = [all[0]];
+  const found = [all.reduce((lowest, each) => (each.at[1] < lowest.at[1] ? each : lowest))];
   while (found.length < count) {
     const room = ({ at }) =>
       Math.min(...found.map((each) => Math.hypot(at[0] - each.at[0], at[1] - each.at[1])));
