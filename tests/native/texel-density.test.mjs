@@ -1,6 +1,6 @@
 // Random meshes and options with a texel density: every chart has it, as measured in the file, or
-// the report names the charts that do not. No outline is
-// drawn out. ABFLAT_FUZZ_RUNS=500 ABFLAT_FUZZ_SEED=1000 makes more.
+// the report names the charts that do not. Slivers draw no outline out.
+// ABFLAT_FUZZ_RUNS=500 ABFLAT_FUZZ_SEED=1000 makes more.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';

@@ -7,8 +7,9 @@ import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { createStaticServer, HEADERS, listen } from '../../scripts/serve.mjs';
 
 /**
- * Not needed, and costly: for each page the browser prepares two pages of its own, where addresses
- * are typed. Only the last list of a command line counts, so those of playwright are repeated.
+ * For each page the browser would prepare two pages of its own, for the suggestions below addresses,
+ * and a process in reserve. Only the last list of a command line counts, so what playwright switches
+ * off is repeated.
  */
 const WITHOUT = [
   ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup'],
