@@ -24,6 +24,12 @@ constexpr double kLittleMore = 0.05;
 /// Limit on the last resorts, in Newton steps.
 constexpr int kLastSteps = 400;
 
+/// Stretched so much that Tutte's embedding may well be better.
+bool isRuined(const Attempt& a) {
+  constexpr double kRuin = 100;
+  return a.distortion.symmetricDirichlet > kRuin;
+}
+
 /// Hardly more distortion than with crossings.
 bool isCloseTo(const Attempt& a, const Attempt& crossing) {
   constexpr double kHardlyMore = 1e-3;
@@ -64,20 +70,29 @@ Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle unt
   return attempt;
 }
 
-/// Lowers the bounds of all vertices alike; none if no limit helps.
+/// The less stretched of two attempts; one that is not valid does not count.
+void keepBetter(std::optional<Attempt>& best, Attempt other) {
+  if (!other.valid()) return;
+  if (!best || other.distortion.symmetricDirichlet < best->distortion.symmetricDirichlet)
+    best = std::move(other);
+}
+
+/// Lowers the bounds of all vertices alike until a layout is valid and not ruined. None if no limit
+/// gives a valid one.
 std::optional<Attempt> lastResort(ChartFlattener& flattener, const BoundaryBounds& t) {
+  std::optional<Attempt> best;
   for (const double limit : kLastResorts) {
     BoundaryBounds tighter = t;
     for (double& x : tighter) x = std::min(x, limit);
     Attempt a = flattener.attempt(tighter, nullptr);
     if (a.isCancelled()) return a;
-    if (a.isGivenUp()) return std::nullopt;
-    if (!a.valid()) continue;
+    if (a.isGivenUp()) break;
     a.fallbacks.push_back("no valid layout with a free boundary; lowered all bounds to " +
                           withDigits(limit, 2) + " pi");
-    return a;
+    keepBetter(best, std::move(a));
+    if (best && !isRuined(*best)) break;
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace
@@ -112,8 +127,14 @@ Attempt madeValid(ChartFlattener& flattener, Attempt first, const BoundaryBounds
   flattener.allowSteps(kLastSteps);
   std::optional<Attempt> last = lastResort(flattener, t);
   flattener.allowAllSteps();
-  if (last) return std::move(*last);
-  Attempt convex = flattener.tutte(t, "no bounds give a valid layout from angles");
+  if (last && (last->isCancelled() || !isRuined(*last))) return std::move(*last);
+  Attempt convex =
+      flattener.tutte(t, last ? "the bounds that give a valid layout stretch it beyond use"
+                              : "no bounds give a valid layout from angles");
+  if (last) {
+    keepBetter(last, std::move(convex));
+    return std::move(*last);
+  }
   // Then angles that miss what was asked for are the lesser evil.
   if (!convex.valid() && best.converged() && best.validity.valid()) return best;
   return convex;

@@ -13,7 +13,7 @@ namespace abflat {
 enum class Solver : std::uint8_t {
   ActiveSet = 0,  ///< Newton's method with an active set
   InteriorPoint = 1,  ///< an interior point method, where the layout of the active set cannot be drawn
-  Tutte = 2,  ///< Tutte's embedding on a circle, where nothing else is valid
+  Tutte = 2,  ///< Tutte's embedding on a circle, where nothing else is valid or all else is stretched beyond use
   Known = 3,  ///< the layout of an earlier run
   Given = 4,  ///< the texcoords of the input
   Projection = 5,  ///< projection of a flat chart onto its plane
