@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "base/stable_order.h"
 
 namespace abflat {
 namespace {
@@ -49,7 +50,7 @@ Result<BoundaryBounds> requestedBounds(const DiskChart& chart, const FlattenOpti
     std::vector<std::pair<std::uint32_t, BoundaryIndex>> places;
     for (const BoundaryIndex i : t.ids())
       places.emplace_back(chart.inputVertex[chart.boundaryVertex(i)], i);
-    std::sort(places.begin(), places.end());
+    sortStably(places, std::less<>());
     for (const VertexBound& b : options.bounds) {
       auto place =
           std::lower_bound(places.begin(), places.end(), std::pair(b.vertex, BoundaryIndex(0)));

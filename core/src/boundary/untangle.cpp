@@ -85,7 +85,7 @@ double overlapDepth(const OutlinePoints& at, std::size_t i, std::size_t j) {
 /// The level that takes `amount` radians off the angles above it. It is at least pi, and that far
 /// below 2 pi, which no valid layout reaches.
 double capLevel(std::vector<double> angles, double amount) {
-  std::sort(angles.begin(), angles.end(), std::greater<>());
+  sortStably(angles, std::greater<>());
   double above = 0, level = kPi;
   for (std::size_t k = 0; k < angles.size() && angles[k] > level; ++k) {
     above += angles[k];

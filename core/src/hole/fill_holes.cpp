@@ -7,6 +7,7 @@
 
 #include "base/constants.h"
 #include "base/few_bits.h"
+#include "base/stable_order.h"
 #include "hole/triangulate_rim.h"
 
 namespace abflat {
@@ -128,7 +129,7 @@ class Filler {
         const RimIndex a = triangles[i][k], b = triangles[i][(k + 1) % 3];
         if (!mesh_.twin[h].exists()) sides.push_back({{std::min(a, b), std::max(a, b)}, h});
       }
-    std::sort(sides.begin(), sides.end());
+    sortStably(sides, std::less<>());
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
       mesh_.twin[sides[i].h] = sides[i + 1].h;
       mesh_.twin[sides[i + 1].h] = sides[i].h;

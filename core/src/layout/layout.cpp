@@ -8,6 +8,7 @@
 #include "base/constants.h"
 #include "base/point2.h"
 #include "base/portable_math.h"
+#include "base/stable_order.h"
 #include "layout/diameter.h"
 #include "mesh/triangle_geometry.h"
 
@@ -54,9 +55,8 @@ std::vector<ChartCorner> spanningEdges(const DiskChart& chart,
   std::vector<ChartCorner> edges;
   for (const ChartCorner h : chart.corners())
     if (!chart.twin[h].exists() || h < chart.twin[h]) edges.push_back(h);
-  std::sort(edges.begin(), edges.end(), [&](ChartCorner a, ChartCorner b) {
-    return logLength[a] != logLength[b] ? logLength[a] < logLength[b] : a < b;
-  });
+  sortStably(edges,
+             [&](ChartCorner a, ChartCorner b) { return logLength[a] < logLength[b]; });
   IdVector<ChartVertex, ChartVertex> parent(chart.vertexCount());
   for (const ChartVertex v : chart.vertices()) parent[v] = v;
   const auto find = [&](ChartVertex v) {

@@ -134,7 +134,7 @@ Mass massOf(const std::vector<PlanePoint>& polygon) {
 }
 
 std::vector<PlanePoint> convexHull(std::vector<PlanePoint> points) {
-  std::sort(points.begin(), points.end(), isLess);
+  sortStably(points, isLess);
   points.erase(std::unique(points.begin(), points.end(),
                            [](PlanePoint a, PlanePoint b) { return a.x == b.x && a.y == b.y; }),
                points.end());

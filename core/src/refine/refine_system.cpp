@@ -62,7 +62,10 @@ void RefineSystem::divide(const std::vector<std::uint32_t>& rankOfRow) {
 
 void RefineSystem::buildPattern() {
   const std::uint32_t n = chart_.vertexCount();
-  using Later = std::pair<ChartVertex, ChartCorner>;  // a vertex and a half-edge to it
+  // A vertex and a half-edge to it, as one number that is quick to sort.
+  const auto later = [](ChartVertex v, ChartCorner h) {
+    return std::uint64_t{v} << 32 | std::uint32_t{h};
+  };
   std::vector<std::uint32_t> begin(n + 1, 0);
   const auto forEdges = [&](const auto& use) {
     for (const ChartCorner h : chart_.corners()) {
@@ -73,29 +76,29 @@ void RefineSystem::buildPattern() {
   };
   forEdges([&](ChartCorner, ChartVertex a, ChartVertex) { ++begin[a + 1]; });
   for (const ChartVertex v : chart_.vertices()) begin[v + 1] += begin[v];
-  std::vector<Later> later(begin.back());
+  std::vector<std::uint64_t> edges(begin.back());
   std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
-  forEdges([&](ChartCorner h, ChartVertex a, ChartVertex b) { later[fill[a]++] = {b, h}; });
+  forEdges([&](ChartCorner h, ChartVertex a, ChartVertex b) { edges[fill[a]++] = later(b, h); });
 
   const Eigen::Index rows = 2 * static_cast<Eigen::Index>(n);
   matrix_.resize(rows, rows);
-  matrix_.resizeNonZeros(static_cast<Eigen::Index>(3 * n + 4 * later.size()));
+  matrix_.resizeNonZeros(static_cast<Eigen::Index>(3 * n + 4 * edges.size()));
   entryOfEdge_.resize(chart_.twin.size());
   int* start = matrix_.outerIndexPtr();
   int* row = matrix_.innerIndexPtr();
   int at = 0;
   for (const ChartVertex v : chart_.vertices()) {
-    std::sort(later.begin() + begin[v], later.begin() + begin[v + 1]);
+    std::sort(edges.begin() + begin[v], edges.begin() + begin[v + 1]);
     for (int d = 0; d < 2; ++d) {
       start[2 * v + static_cast<std::uint32_t>(d)] = at;
       for (int e = d; e < 2; ++e) row[at++] = 2 * static_cast<int>(v) + e;
       for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
         if (d == 0) {
-          const ChartCorner h = later[i].second, o = chart_.twin[h];
+          const ChartCorner h(static_cast<std::uint32_t>(edges[i])), o = chart_.twin[h];
           entryOfEdge_[h] = static_cast<std::uint32_t>(at);
           if (o.exists()) entryOfEdge_[o] = static_cast<std::uint32_t>(at);
         }
-        for (int e = 0; e < 2; ++e) row[at++] = 2 * static_cast<int>(later[i].first) + e;
+        for (int e = 0; e < 2; ++e) row[at++] = 2 * static_cast<int>(edges[i] >> 32) + e;
       }
     }
   }

@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace abflat {
+namespace {
+
+/// Of a chart's area; less is next to nothing.
+constexpr double kNotableShare = 0.02;
+
+}  // namespace
 
 ChordFinder::ChordFinder(const CutPaths& paths)
     : paths_(paths),
@@ -60,14 +66,13 @@ Chord ChordFinder::chordAt(SurfaceCorner h, CutChartId chart, double leastShare)
 }
 
 Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs) {
-  constexpr double kLeastShare = 0.02;
   walk(chart);
   numberLoop(chart);
   Chord best;
   double bestScore = 0;
   for (std::size_t i = 1; i < order_.size(); ++i) {
     const SurfaceCorner h = parent_[order_[i]];
-    Chord c = chordAt(h, chart, kLeastShare);
+    Chord c = chordAt(h, chart, kNotableShare);
     if (!c.h.exists()) continue;
     const double smaller = std::min(c.left, c.right);
     double score = c.length / std::sqrt(smaller);
@@ -81,6 +86,32 @@ Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryI
     }
   }
   return best;
+}
+
+/// `chart` has been walked.
+Chord ChordFinder::bestApart(CutChartId chart,
+                             const std::vector<std::array<BoundaryIndex, 2>>& pairs,
+                             double leastShare) const {
+  Chord best;
+  double bestScore = 0;
+  for (std::size_t i = 1; i < order_.size(); ++i) {
+    Chord c = chordAt(parent_[order_[i]], chart, leastShare);
+    if (!c.h.exists()) continue;
+    const double score = c.length / std::sqrt(std::min(c.left, c.right));
+    if (best.h.exists() && score >= bestScore) continue;
+    c.resolved = resolvedShare(c.h, pairs);
+    if (!(c.resolved > 0) || (best.h.exists() && score / c.resolved >= bestScore)) continue;
+    best = c;
+    bestScore = score / c.resolved;
+  }
+  return best;
+}
+
+Chord ChordFinder::apart(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs) {
+  walk(chart);
+  numberLoop(chart);
+  const Chord most = bestApart(chart, pairs, kNotableShare);
+  return most.h.exists() ? most : bestApart(chart, pairs, 0);
 }
 
 Chord ChordFinder::forHalving(CutChartId chart) {

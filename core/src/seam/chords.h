@@ -26,6 +26,11 @@ class ChordFinder {
   /// `pairs` belong to the chart's loop.
   Chord best(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs);
 
+  /// The chord with the least length / sqrt(smaller area) for the share of the given pairs that it
+  /// separates, if possible one that cuts off more than next to nothing. h is none if none
+  /// separates any.
+  Chord apart(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs);
+
   /// The best chord, or if all of them would cut off next to nothing, the one that cuts off most.
   Chord forHalving(CutChartId chart);
 
@@ -33,6 +38,8 @@ class ChordFinder {
   Chord chordAt(SurfaceCorner h, CutChartId chart, double leastShare) const;
   void walk(CutChartId chart);
   void numberLoop(CutChartId chart);
+  Chord bestApart(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs,
+                  double leastShare) const;
   double resolvedShare(SurfaceCorner h,
                        const std::vector<std::array<BoundaryIndex, 2>>& pairs) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stable_order.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -111,7 +112,7 @@ Status markEdges(const SurfaceMap& map, const std::vector<EdgeVertices>& edges, 
                                                std::to_string(input.vertexCount())};
     wanted.push_back({sorted({firstAtPlace(e[0]), firstAtPlace(e[1])}), wanted.size()});
   }
-  std::sort(wanted.begin(), wanted.end());
+  sortStably(wanted, std::less<>());
   std::vector<std::uint8_t> isFound(edges.size(), 0);
   const Surface& surface = map.surface();
   for (const SurfaceCorner h : surface.table.corners()) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/stable_order.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -90,7 +91,7 @@ class Regions {
     for (const SurfaceCorner c : mesh_.corners())
       if (const RegionId region = ofTriangle_[triangleOf(c)]; region.exists())
         places.emplace_back(region, mesh_.vertexOfCorner[c]);
-    std::sort(places.begin(), places.end());
+    sortStably(places, std::less<>());
     places.erase(std::unique(places.begin(), places.end()), places.end());
     for (const auto& place : places) ++euler[place.first];
     std::vector<std::uint8_t> out;

@@ -1,4 +1,5 @@
 #include "unwrap/missing_texcoords.h"
+#include "base/stable_order.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +26,7 @@ class Filler {
     std::vector<std::pair<InputVertex, InputFace>> waitsAt;
     for (const InputFace f : waiting)
       for (const InputCorner c : cornersOf(f)) waitsAt.emplace_back(placeOf(c), f);
-    std::sort(waitsAt.begin(), waitsAt.end());
+    sortStably(waitsAt, std::less<>());
     while (!reached_.empty()) {
       const InputVertex place = reached_.back();
       reached_.pop_back();

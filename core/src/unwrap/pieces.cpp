@@ -44,7 +44,7 @@ std::unique_ptr<UncommonParts> historyOf(const FlatChart& whole) {
   auto out = std::make_unique<UncommonParts>();
   out->refined = whole.uncommon->refined;
   for (const std::string& note : whole.uncommon->fallbacks)
-    out->fallbacks.push_back("before the packing cut: " + note);
+    out->fallbacks.push_back("before the chart was cut: " + note);
   return out;
 }
 

@@ -31,6 +31,7 @@
 #include "unwrap/room.h"
 #include "unwrap/room_note.h"
 #include "unwrap/seams.h"
+#include "unwrap/spacing.h"
 #include "unwrap/turned.h"
 
 namespace abflat {
@@ -255,12 +256,37 @@ class Unwrapping {
     const bool mayCut = roomMode(options_, flat, flat.size()) != RoomMode::None;
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForRoom();
+    if (s.ok()) s = keepPartsApart();
     if (s.ok() && !monitor_.stopped()) s = fitToFile();
     if (!s.ok()) return s;
-    std::string note = roomNote(packedCharts(), map(), options_, report_.atlas);
-    if (!note.empty()) report_.notes.push_back(std::move(note));
+    for (std::string note : {roomNote(packedCharts(), map(), options_, report_.atlas),
+                             spacingNote(cutMesh(), charts_.flat, nearParts(), options_)})
+      if (!note.empty()) report_.notes.push_back(std::move(note));
     endCutting();
     return s;
+  }
+
+  /// What lies nearer to another part of its chart than the padding.
+  IdVector<ChartId, NearParts> nearParts() {
+    return nearPartsOf(packedCharts(), welded_.mesh.positions, options_);
+  }
+
+  /// Cuts charts whose parts are too near each other, and packs again, unless that does not fit.
+  Status keepPartsApart() {
+    constexpr int kMostRounds = 4;
+    for (int k = 0; k < kMostRounds && canCut(options_) && !monitor_.stopped(); ++k) {
+      open_.seams.resize(open_.mesh.twin.size(), 0);
+      Seams seams = open_.seams;
+      if (!cutBetween(charts_, nearParts(), options_, open_)) break;
+      PackedState before{openAnew(), std::move(seams), std::move(packing_), report_.atlas};
+      takePieces(before.charts, options_.maxStretch, *pool_, charts_);
+      const auto goesOn = [&] { return monitor_.tellAgain(); };
+      if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
+      const Status packed = packNow(1, 1);
+      if (packed.code == StatusCode::AtlasTooSmall) return restore(before);
+      if (!packed.ok()) return packed;
+    }
+    return {};
   }
 
   /// Rounds the atlas as its file does. Charts that this makes invalid are split in two, and all
@@ -298,28 +324,38 @@ class Unwrapping {
     const RoomCuts cuts =
         findRoomCuts(packedCharts(), open_, options_, report_.atlas.utilization, goesOn);
     if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
-    const AtlasReport uncut = report_.atlas;
     open_.seams.resize(open_.mesh.twin.size(), 0);
-    const Seams seams = open_.seams;
+    Seams seams = open_.seams;
     const double length = seamLength(open_);
-    Packing packing = std::move(packing_);
     addCuts(cuts, options_, open_);
-    LaidCharts before = openAnew();
+    PackedState before{openAnew(), std::move(seams), std::move(packing_), report_.atlas};
     // Where they lie, their new ends need not be straight.
-    if (!options_.straightSeams) takePieces(before, options_.maxStretch, *pool_, charts_);
+    if (!options_.straightSeams) takePieces(before.charts, options_.maxStretch, *pool_, charts_);
     if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
-    if (Status s = joinStretched(before, seams); !s.ok()) return s;
-    report_.atlas.packingCuts = static_cast<int>(charts_.set.size() - before.set.size());
+    if (Status s = joinStretched(before.charts, before.seams); !s.ok()) return s;
+    report_.atlas.packingCuts = static_cast<int>(charts_.set.size() - before.charts.set.size());
     report_.atlas.packingCutLength = seamLength(open_) - length;
-    report_.atlas.uncutTexelDensity = uncut.texelDensity;
+    report_.atlas.uncutTexelDensity = before.atlas.texelDensity;
     Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
     if (packed.ok() && isWorth(report_.atlas, options_)) return {};
-    moveSame(charts_, before);
-    charts_ = std::move(before);
-    open_.seams = seams;
-    packing_ = std::move(packing);
-    report_.atlas = uncut;
+    return restore(before);
+  }
+
+  /// What a cut of packed charts changes, as it was before.
+  struct PackedState {
+    LaidCharts charts;
+    Seams seams;
+    Packing packing;
+    AtlasReport atlas;
+  };
+
+  Status restore(PackedState& before) {
+    moveSame(charts_, before.charts);
+    charts_ = std::move(before.charts);
+    open_.seams = std::move(before.seams);
+    packing_ = std::move(before.packing);
+    report_.atlas = before.atlas;
     placeInAtlas(packing_, charts_.flat);
     return readWishes();
   }

@@ -71,7 +71,7 @@ struct UnwrapOptionValues {
   bool straightSeams = false;
   /// side of the texture in texels
   int resolution = 1024;
-  /// free texels between charts
+  /// free texels between charts, and between far parts of one chart
   int padding = 2;
   /// texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)
   double texelDensity = 0;
@@ -97,7 +97,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved", true, false},
     {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
-    {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts", false, false},
+    {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)", false, false},

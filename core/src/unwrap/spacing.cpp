@@ -1,0 +1,118 @@
+#include "unwrap/spacing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/counted.h"
+#include "base/number_text.h"
+#include "base/point2.h"
+#include "hole/fill_holes.h"
+#include "seam/geometric_order.h"
+#include "seam/part_charts.h"
+
+namespace abflat {
+namespace {
+
+/// The chart's outline in texels, in the atlas and, at the chart's mean scale, in space.
+PlacedOutline placedOutline(const ChartTopology& chart, const FlatChart& flat,
+                            const std::vector<double>& positions, int resolution) {
+  double twiceArea = 0;
+  for (const ChartCorner c : chart.surfaceCorners()) {
+    const Point2 a = pointAt(flat.uv, chart.vertexOfCorner[c]);
+    const Point2 b = pointAt(flat.uv, chart.vertexOfCorner[nextCorner(c)]);
+    twiceArea += a[0] * b[1] - a[1] * b[0];
+  }
+  const double scale = resolution * std::sqrt(std::max(twiceArea / 2, 0.0) / flat.area);
+  PlacedOutline out;
+  out.uv.reserve(2 * chart.boundary.size());
+  out.positions.reserve(3 * chart.boundary.size());
+  for (const ChartCorner h : chart.boundary) {
+    const ChartVertex v = chart.vertexOfCorner[h];
+    for (const double x : pointAt(flat.uv, v)) out.uv.push_back(resolution * x);
+    const std::size_t at = 3 * std::size_t{chart.inputVertex[v]};
+    for (std::size_t d = 0; d < 3; ++d) out.positions.push_back(scale * positions[at + d]);
+  }
+  return out;
+}
+
+/// Adds the chart's pairs of edges, at most so many, evenly spread: enough to tell how many a cut
+/// separates.
+void addPairs(const ChartTopology& chart, const NearParts& near,
+              const IdVector<SurfaceCorner, SurfaceCorner>& inPart,
+              std::vector<OutlinePair>& pairs) {
+  constexpr std::size_t kMost = 256;
+  const std::size_t step = (near.edges.size() + kMost - 1) / kMost;
+  const auto edge = [&](std::uint32_t i) {
+    return inPart[chart.onSurface(chart.boundary[BoundaryIndex(i)])];
+  };
+  for (std::size_t i = 0; i < near.edges.size(); i += step)
+    pairs.push_back({edge(near.edges[i][0]), edge(near.edges[i][1])});
+}
+
+std::string remedy(const UnwrapOptions& options, bool isFixed) {
+  if (isFixed) return "charts that are pinned or kept are not cut";
+  if (!options.seams.isAuto) return "charts are cut there only if seams are automatic";
+  if (options.t != kAutoT) return "charts are cut there only if t is auto";
+  if (options.straightSeams) return "with straight seams, charts are not cut there";
+  return "no cut was found whose pieces fit. A higher resolution or less padding helps";
+}
+
+}  // namespace
+
+IdVector<ChartId, NearParts> nearPartsOf(const PackedCharts& packed,
+                                         const std::vector<double>& positions,
+                                         const UnwrapOptionValues& options) {
+  const ChartSet& set = packed.charts.set;
+  const FlatCharts& flat = packed.charts.flat;
+  IdVector<ChartId, NearParts> out(set.size());
+  if (options.padding == 0) return out;
+  parallelFor(&packed.pool, set.size(), [&](std::size_t k) {
+    const ChartId i(k);
+    const ChartTopology chart = set.topology(i);
+    // An outline that crosses itself is told of otherwise.
+    if (!flat[i].problem.empty()) return;
+    out[i] = findNearParts(placedOutline(chart, flat[i], positions, options.resolution),
+                           options.padding);
+  });
+  return out;
+}
+
+bool cutBetween(const LaidCharts& charts, const IdVector<ChartId, NearParts>& near,
+                const UnwrapOptionValues& options, OpenSurface& open) {
+  std::vector<ChartId> toCut;
+  for (const ChartId i : near.ids())
+    if (!near[i].edges.empty() && !charts.flat[i].isFixed) toCut.push_back(i);
+  if (toCut.empty()) return false;
+  open.seams.resize(open.mesh.twin.size(), 0);
+  const SeamPart part = inGeometricOrder(open.mesh);
+  IdVector<SurfaceCorner, SurfaceCorner> inPart(part.wholeHalfEdge.size());
+  for (const SurfaceCorner h : part.wholeHalfEdge.ids()) inPart[part.wholeHalfEdge[h]] = h;
+  std::vector<OutlinePair> pairs;
+  for (const ChartId i : toCut) addPairs(charts.set.topology(i), near[i], inPart, pairs);
+  Seams seams = part.ofCorners(open.seams);
+  if (!partCharts(part.mesh, pairs, seams)) return false;
+  open.seams = part.toWhole(seams);
+  openTouchedHoles(open.mesh, cutAlong(open.mesh, open.seams), options.fillHoles, open.seams);
+  return true;
+}
+
+std::string spacingNote(const CutMesh& mesh, const FlatCharts& flat,
+                        const IdVector<ChartId, NearParts>& near, const UnwrapOptions& options) {
+  std::size_t count = 0;
+  ChartId worst(0);
+  for (const ChartId i : near.ids()) {
+    if (near[i].edges.empty()) continue;
+    if (count++ == 0 || near[i].gap < near[worst].gap) worst = i;
+  }
+  if (count == 0) return {};
+  const ChartTopology chart = mesh.set.topology(worst);
+  const ChartCorner h = chart.boundary[BoundaryIndex(near[worst].point)];
+  const std::uint32_t face{mesh.map.face(triangleOf(chart.onSurface(h)))};
+  return "parts of " + counted(count, "chart", "charts") +
+         " that are far apart on the surface are nearer to each other in the atlas than the "
+         "padding, down to " +
+         withDigits(near[worst].gap, 2) + " texels at face " + std::to_string(face) + ": " +
+         remedy(options, flat[worst].isFixed);
+}
+
+}  // namespace abflat
