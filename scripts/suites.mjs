@@ -62,8 +62,12 @@ const coveredProgram = () =>
     targets: TESTED,
   });
 
+/** Here each source is compiled alone, so that each has to include what it needs. */
 const countingProgram = () =>
-  cmakeBuild('steps', { settings: { ABFLAT_STEPS: 'ON' }, targets: ['abflat_scaling'] });
+  cmakeBuild('steps', {
+    settings: { ABFLAT_STEPS: 'ON', ABFLAT_FOLDER_BY_FOLDER: 'OFF' },
+    targets: ['abflat_scaling'],
+  });
 
 /**
  * Test files of tests/FOLDER for node, several at a time; `waits`: see runPool. `env` is called

@@ -7,13 +7,13 @@ import { cpSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
+import { startBrowser } from '../../web/scripts/browser.mjs';
 import { bin, ENV, FOLDER, INSTALLED, install, project, run } from './project.mjs';
 
-const executablePath = findChrome();
-const NEEDS_CHROME = { skip: executablePath ? false : 'there is no Chromium' };
+const hasChrome = findChrome() !== undefined;
+const NEEDS_CHROME = { skip: hasChrome ? false : 'there is no Chromium' };
 /** The build that an isolated page runs. */
 const BEST = availableParallelism() > 1 ? 'threads' : 'simd';
 
@@ -21,9 +21,9 @@ let browser;
 const ends = [];
 
 before(async () => {
-  if (!executablePath) return;
+  if (!hasChrome) return;
   install();
-  browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu'] });
+  browser = await startBrowser({ webgl: false });
 });
 after(async () => {
   await browser?.close();

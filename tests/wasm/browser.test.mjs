@@ -7,34 +7,25 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
+import { startBrowser } from '../../web/scripts/browser.mjs';
 import { EXAMPLE_OBJ, examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
-const CHROME_ARGS = [
-  '--no-sandbox',
-  '--disable-gpu',
-  '--disable-quic',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-];
-
-const executablePath = findChrome();
-const NEEDS_CHROME = { skip: executablePath ? false : 'there is no Chromium' };
+const hasChrome = findChrome() !== undefined;
+const NEEDS_CHROME = { skip: hasChrome ? false : 'there is no Chromium' };
 
 let browser;
 let folder;
 const servers = [];
 
 before(async () => {
-  if (!executablePath) return;
+  if (!hasChrome) return;
   // Inside the repository, so that bundlers find its node_modules.
   mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
   folder = mkdtempSync(join(ROOT, 'build/tests/wasm-browser-'));
-  browser = await chromium.launch({ executablePath, args: CHROME_ARGS });
+  browser = await startBrowser({ webgl: false });
 });
 after(async () => {
   await browser?.close();

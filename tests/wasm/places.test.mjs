@@ -10,15 +10,15 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { createAbflat } from 'abflat';
 import { buildSync } from 'esbuild';
-import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { fileFor, ISOLATED, listen } from '../../scripts/serve.mjs';
+import { startBrowser } from '../../web/scripts/browser.mjs';
 import { examples } from './support/examples.mjs';
 import { grid } from './support/meshes.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
-const executablePath = findChrome();
-const NEEDS_CHROME = { skip: executablePath ? false : 'there is no Chromium' };
+const hasChrome = findChrome() !== undefined;
+const NEEDS_CHROME = { skip: hasChrome ? false : 'there is no Chromium' };
 
 let browser;
 let folder;
@@ -27,8 +27,8 @@ const servers = [];
 before(async () => {
   mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
   folder = mkdtempSync(join(ROOT, 'build/tests/wasm-places-'));
-  if (executablePath)
-    browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu'] });
+  if (hasChrome)
+    browser = await startBrowser({ webgl: false });
 });
 after(async () => {
   await browser?.close();

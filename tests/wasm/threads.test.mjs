@@ -5,15 +5,14 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { chromium } from 'playwright-core';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
+import { startBrowser } from '../../web/scripts/browser.mjs';
 import { sphere } from '../support/surfaces.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
 
-const ARGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking'];
-const executablePath = findChrome();
-const NEEDS_CHROME = { skip: executablePath ? false : 'there is no Chromium' };
+const hasChrome = findChrome() !== undefined;
+const NEEDS_CHROME = { skip: hasChrome ? false : 'there is no Chromium' };
 
 /** Scripts of the site that start the package's worker without something that threads need. */
 const WORKERS = {
@@ -40,7 +39,7 @@ let folder;
 const servers = [];
 
 before(async () => {
-  if (!executablePath) return;
+  if (!hasChrome) return;
   mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
   folder = mkdtempSync(join(ROOT, 'build/tests/wasm-threads-'));
   cpSync(DIST, join(folder, 'dist'), { recursive: true });
@@ -49,7 +48,7 @@ before(async () => {
     writeFileSync(join(folder, `patch-${name}`), text);
     writeFileSync(join(folder, name), `import './patch-${name}'; import './dist/worker.js';`);
   }
-  browser = await chromium.launch({ executablePath, args: ARGS });
+  browser = await startBrowser({ webgl: false });
 });
 after(async () => {
   await browser?.close();

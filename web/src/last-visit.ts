@@ -32,8 +32,8 @@ const REMARKS: Record<string, string> = {
   large: VISIT.tooLarge,
 };
 
-/** What was asked for last, written while the page was left; it counts if the mesh is still there. */
-interface Late {
+/** What was asked for since the mesh was written; it counts if that mesh is still there. */
+interface Change {
   id: string;
   asked: Asked;
 }
@@ -80,9 +80,9 @@ export class LastVisit {
   private async read(): Promise<Source | null> {
     remember(KEY, 'restoring');
     try {
-      const [id, mesh, asked, late] = await this.stored.read(['id', 'mesh', 'asked', 'late']);
-      const last = late as Late | null | undefined;
-      this.found = visitOf(mesh, last?.id === id ? last?.asked : asked);
+      const [id, mesh, asked, since] = await this.stored.read(['id', 'mesh', 'asked', 'since']);
+      const change = since as Change | null | undefined;
+      this.found = visitOf(mesh, change?.id === id ? change?.asked : asked);
       // It need not be written again.
       this.id = this.writtenAs = String(id);
       this.source = this.found.source;
@@ -200,17 +200,14 @@ export class LastVisit {
     }
   }
 
-  /** Returns at once for a page that is being left, where it can. */
-  private put(mesh: KeptMesh, asked: Asked, isLeaving: boolean): Promise<void> | undefined {
+  /** Another page may have put its own in the meantime. A page that is being left cannot look first. */
+  private async put(mesh: KeptMesh, asked: Asked, isLeaving: boolean): Promise<void> {
     const { id } = this;
-    if (isLeaving && this.writtenAs === id) {
-      this.stored.writeAtOnce({ late: { id, asked } });
-      return undefined;
-    }
-    const written = this.stored.write({ asked, late: null }, { id, values: { mesh } });
-    return written.then(() => {
-      this.writtenAs = id;
-    });
+    const isThere =
+      this.writtenAs === id && (isLeaving || (await this.stored.read(['id']))[0] === id);
+    const since: Change = { id, asked };
+    await this.stored.write(isThere ? { since } : { id, mesh, asked, since: null });
+    this.writtenAs = id;
   }
 }
 

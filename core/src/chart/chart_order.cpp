@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/triangle_walk.h"
+
 namespace abflat {
 namespace {
 
@@ -27,17 +29,10 @@ ChartCorner startOf(const DiskChart& chart) {
 
 /// The first corner of each triangle, in the order of the walk; those that fill holes come last.
 std::vector<ChartCorner> walk(const DiskChart& chart) {
-  std::vector<std::uint8_t> isSeen(chart.triangleCount(), 0);
-  std::vector<ChartCorner> out{startOf(chart)};
+  IdVector<ChartTriangle, std::uint8_t> isSeen(chart.triangleCount(), 0);
+  std::vector<ChartCorner> out;
   out.reserve(chart.triangleCount());
-  isSeen[triangleOf(out.front())] = 1;
-  for (std::size_t i = 0; i < out.size(); ++i)
-    for (ChartCorner h : {out[i], nextCorner(out[i]), prevCorner(out[i])}) {
-      h = chart.twin[h];
-      if (!h.exists() || isSeen[triangleOf(h)]) continue;
-      isSeen[triangleOf(h)] = 1;
-      out.push_back(h);
-    }
+  walkTriangles(startOf(chart), chart.twin, isSeen, out);
   if (chart.fillingTriangles == 0) return out;
   const auto isOnSurface = [&](ChartCorner c) {
     return triangleOf(c) < chart.triangleCount() - chart.fillingTriangles;

@@ -1,15 +1,9 @@
 #include "mesh/vertex_table.h"
 
-#include <cstring>
+#include "base/double_bits.h"
 
 namespace abflat {
 namespace {
-
-std::uint64_t bitsOf(double x) {
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  return bits;
-}
 
 /// Coordinates of scans and grids differ in few bits; all of them must influence the low bits.
 std::size_t hashOf(double x, double y, double z) {

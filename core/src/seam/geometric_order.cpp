@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
+#include "base/double_bits.h"
 #include "base/stable_order.h"
+#include "mesh/triangle_walk.h"
 
 namespace abflat {
 namespace {
@@ -17,12 +18,6 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
   std::uint64_t x = (a ^ (b + 0x9e3779b97f4a7c15u + (a << 6) + (a >> 2))) * 0xbf58476d1ce4e5b9u;
   x = (x ^ x >> 29) * 0x94d049bb133111ebu;
   return x ^ x >> 32;
-}
-
-std::uint64_t bitsOf(double x) {
-  std::uint64_t out = 0;
-  std::memcpy(&out, &x, sizeof out);
-  return out;
 }
 
 /// A number per corner that tells what the surface looks like from there: each round looks one
@@ -46,32 +41,6 @@ Colors colorsOf(const SeamMesh& mesh, const Pulse& pulse) {
   }
   return now;
 }
-
-/// Walks each piece of the surface from one corner on. The order of triangles, and the corner that
-/// each is entered by, depend on nothing but that corner.
-class Walk {
- public:
-  explicit Walk(const SeamMesh& mesh) : mesh_(mesh), isSeen_(mesh.triangleCount(), 0) {}
-
-  /// Appends the first corners of all triangles in the piece.
-  void add(SurfaceCorner start, std::vector<SurfaceCorner>& out) {
-    std::size_t i = out.size();
-    out.push_back(start);
-    isSeen_[triangleOf(start)] = 1;
-    for (; i < out.size(); ++i)
-      for (SurfaceCorner h : {out[i], nextCorner(out[i]), prevCorner(out[i])}) {
-        h = mesh_.twin[h];
-        if (!h.exists() || isSeen_[triangleOf(h)]) continue;
-        isSeen_[triangleOf(h)] = 1;
-        out.push_back(h);
-      }
-  }
-  bool isSeen(SurfaceTriangle f) const { return isSeen_[f] != 0; }
-
- private:
-  const SeamMesh& mesh_;
-  IdVector<SurfaceTriangle, std::uint8_t> isSeen_;
-};
 
 /// By color; corners whose surroundings are the same come in order of where they lie, and by number
 /// only if several lie there.
@@ -105,11 +74,11 @@ class CornerOrder {
 /// The first corner of each piece, in order.
 std::vector<SurfaceCorner> startsOf(const SeamMesh& mesh, const CornerOrder& isLess) {
   std::vector<SurfaceCorner> out, piece;
-  Walk walk(mesh);
+  IdVector<SurfaceTriangle, std::uint8_t> isSeen(mesh.triangleCount(), 0);
   for (const SurfaceTriangle f : mesh.triangles()) {
-    if (walk.isSeen(f)) continue;
+    if (isSeen[f]) continue;
     piece.clear();
-    walk.add(cornerOf(f, 0), piece);
+    walkTriangles(cornerOf(f, 0), mesh.twin, isSeen, piece);
     SurfaceCorner least = piece.front();
     for (const SurfaceCorner c : piece)
       for (const SurfaceCorner h : cornersOf(triangleOf(c)))
@@ -123,8 +92,9 @@ std::vector<SurfaceCorner> startsOf(const SeamMesh& mesh, const CornerOrder& isL
 /// The first corner of each triangle, in the new order, in which those that fill holes come last.
 std::vector<SurfaceCorner> firstCorners(const SeamMesh& mesh, const Colors& colors) {
   std::vector<SurfaceCorner> all, out;
-  Walk walk(mesh);
-  for (const SurfaceCorner start : startsOf(mesh, CornerOrder(mesh, colors))) walk.add(start, all);
+  IdVector<SurfaceTriangle, std::uint8_t> isSeen(mesh.triangleCount(), 0);
+  for (const SurfaceCorner start : startsOf(mesh, CornerOrder(mesh, colors)))
+    walkTriangles(start, mesh.twin, isSeen, all);
   out.reserve(all.size());
   for (const bool isFilling : {false, true})
     for (const SurfaceCorner c : all)

@@ -9,60 +9,48 @@ const resultOf = <T>(request: IDBRequest<T>): Promise<T> =>
     request.onerror = () => reject(request.error);
   });
 
-const putAll = (store: IDBObjectStore, values: Record<string, unknown>): void => {
-  for (const [name, value] of Object.entries(values)) store.put(value, name);
-};
-
 export class Stored {
   /** Stays open from the first use on: when the page is left there is no time to open it. */
   private database: IDBDatabase | null = null;
 
   /** Undefined for what is not there. */
-  read(names: string[]): Promise<unknown[]> {
-    return this.inStore('readonly', (store) =>
-      Promise.all(names.map((name) => resultOf(store.get(name)))),
-    );
+  async read(names: string[]): Promise<unknown[]> {
+    const values: unknown[] = [];
+    await this.inStore('readonly', (store) => {
+      names.forEach((name, i) => {
+        store.get(name).onsuccess = ({ target }) => {
+          values[i] = (target as IDBRequest).result;
+        };
+      });
+    });
+    return values;
   }
 
-  /** `large` is only written where it is not there yet, under this `id`: another page may have written its own. */
-  async write(
-    values: Record<string, unknown>,
-    large: { id: string; values: Record<string, unknown> },
-  ): Promise<void> {
-    await this.inStore('readwrite', async (store) => {
-      const isThere = (await resultOf(store.get('id'))) === large.id;
-      putAll(store, isThere ? values : { ...values, ...large.values, id: large.id });
+  /** From the second use on, all that has to be done is done when this returns. */
+  write(values: Record<string, unknown>): Promise<void> {
+    return this.inStore('readwrite', (store) => {
+      for (const [name, value] of Object.entries(values)) store.put(value, name);
     });
   }
 
-  /** For a page that is being left: nothing can be waited for any more. */
-  writeAtOnce(values: Record<string, unknown>): void {
-    const transaction = this.database?.transaction(STORE, 'readwrite');
-    if (!transaction) return;
-    putAll(transaction.objectStore(STORE), values);
-    transaction.commit();
+  forget(): Promise<void> {
+    return this.inStore('readwrite', (store) => store.clear());
   }
 
-  async forget(): Promise<void> {
-    await this.inStore('readwrite', (store) => resultOf(store.clear()));
-  }
-
-  private async inStore<T>(
+  private async inStore(
     mode: IDBTransactionMode,
-    use: (store: IDBObjectStore) => Promise<T>,
-  ): Promise<T> {
+    use: (store: IDBObjectStore) => void,
+  ): Promise<void> {
     this.database ??= await this.open();
     const transaction = this.database.transaction(STORE, mode);
     const done = new Promise<void>((resolve, reject) => {
       transaction.oncomplete = () => resolve();
       transaction.onabort = () => reject(transaction.error);
     });
-    const using = use(transaction.objectStore(STORE)).catch((error: unknown) => {
-      transaction.abort();
-      throw error;
-    });
-    const [value] = await Promise.all([using, done]);
-    return value;
+    use(transaction.objectStore(STORE));
+    // A page that is left takes back what it has not committed, and all that waits behind that.
+    transaction.commit();
+    await done;
   }
 
   private async open(): Promise<IDBDatabase> {
