@@ -65,7 +65,8 @@ async function clangTidy(file, { flags, directory }, folder, args) {
   const command = `${flags} -o checked.o -c ${file}`;
   const database = JSON.stringify([{ directory, command, file }]);
   writeFileSync(join(folder, 'compile_commands.json'), database);
-  return run('clang-tidy', ['-p', folder, '--quiet', ...args, file], { capture: true });
+  const others = '--extra-arg=-Wno-unknown-warning-option'; // those of g++
+  return run('clang-tidy', ['-p', folder, '--quiet', others, ...args, file], { capture: true });
 }
 
 /**

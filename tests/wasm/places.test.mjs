@@ -27,8 +27,7 @@ const servers = [];
 before(async () => {
   mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
   folder = mkdtempSync(join(ROOT, 'build/tests/wasm-places-'));
-  if (hasChrome)
-    browser = await startBrowser({ webgl: false });
+  if (hasChrome) browser = await startBrowser({ webgl: false });
 });
 after(async () => {
   await browser?.close();

@@ -55,8 +55,7 @@ std::vector<ChartCorner> spanningEdges(const DiskChart& chart,
   std::vector<ChartCorner> edges;
   for (const ChartCorner h : chart.corners())
     if (!chart.twin[h].exists() || h < chart.twin[h]) edges.push_back(h);
-  sortStably(edges,
-             [&](ChartCorner a, ChartCorner b) { return logLength[a] < logLength[b]; });
+  sortStably(edges, [&](ChartCorner a, ChartCorner b) { return logLength[a] < logLength[b]; });
   IdVector<ChartVertex, ChartVertex> parent(chart.vertexCount());
   for (const ChartVertex v : chart.vertices()) parent[v] = v;
   const auto find = [&](ChartVertex v) {

@@ -40,22 +40,30 @@ bool KktPreconditioner::factor(const Linearization& lin, const std::vector<std::
   }
   schur_.assemble(positive, active);
   const Eigen::SparseMatrix<double>& s = schur_.matrix();
-  std::array<std::vector<Eigen::Triplet<double>>, 2> entries;
-  for (int c = 0; c < s.outerSize(); ++c)
+  std::array<bool, 2> isNew{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    isNew[i] = blocks_[i].matrix.rows() == 0;
+    const auto n = static_cast<Eigen::Index>(blocks_[i].rows.size());
+    blocks_[i].matrix.resize(n, n);
+  }
+  // Within a block, rows keep their order.
+  for (int c = 0; c < s.outerSize(); ++c) {
+    const auto column = static_cast<std::size_t>(c);
+    const std::uint8_t i = isWheel_[column];
+    const auto place = static_cast<Eigen::Index>(placeInBlock_[column]);
+    blocks_[i].matrix.startVec(place);
     for (Eigen::SparseMatrix<double>::InnerIterator it(s, c); it; ++it) {
-      const auto row = static_cast<std::size_t>(it.row()), column = static_cast<std::size_t>(c);
-      if (isWheel_[row] == isWheel_[column])
-        entries[isWheel_[row]].emplace_back(static_cast<int>(placeInBlock_[row]),
-                                            static_cast<int>(placeInBlock_[column]), it.value());
+      const auto row = static_cast<std::size_t>(it.row());
+      if (isWheel_[row] != i) continue;
+      blocks_[i].matrix.insertBackByOuterInner(
+          place, static_cast<Eigen::Index>(placeInBlock_[row])) = it.value();
     }
+  }
   for (std::size_t i = 0; i < 2; ++i) {
     Block& b = blocks_[i];
     if (b.rows.empty()) continue;
-    const bool isNew = b.matrix.rows() == 0;
-    const auto n = static_cast<Eigen::Index>(b.rows.size());
-    b.matrix.resize(n, n);
-    b.matrix.setFromTriplets(entries[i].begin(), entries[i].end());
-    if (isNew) b.factor.analyzePattern(b.matrix);
+    b.matrix.finalize();
+    if (isNew[i]) b.factor.analyzePattern(b.matrix);
     b.factor.factorize(b.matrix);
     if (b.factor.info() != Eigen::Success || b.factor.vectorD().minCoeff() <= 0) return false;
   }

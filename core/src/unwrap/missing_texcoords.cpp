@@ -1,8 +1,9 @@
 #include "unwrap/missing_texcoords.h"
-#include "base/stable_order.h"
 
 #include <algorithm>
 #include <utility>
+
+#include "base/stable_order.h"
 
 namespace abflat {
 namespace {

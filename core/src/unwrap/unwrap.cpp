@@ -282,7 +282,7 @@ class Unwrapping {
       takePieces(before.charts, options_.maxStretch, *pool_, charts_);
       const auto goesOn = [&] { return monitor_.tellAgain(); };
       if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
-      const Status packed = packNow(1, 1);
+      Status packed = packNow(1, 1);
       if (packed.code == StatusCode::AtlasTooSmall) return restore(before);
       if (!packed.ok()) return packed;
     }
