@@ -194,7 +194,7 @@ test('a disk without seams is what flatten makes of it, packed', async (t) => {
 
 test('charts do not depend on the unit', async (t) => {
   const at = tempFolder(t);
-  const surface = surfaces.isosurface(isInstrumented ? 7 : 10);
+  const surface = surfaces.isosurface(isInstrumented ? 8 : 10);
   const charts = [];
   for (const scale of isInstrumented ? [1e-6, 1] : [1e-6, 1e-3, 1, 1e6]) {
     const positions = surface.positions.map((p) => p.map((x) => x * scale));
