@@ -31,6 +31,13 @@ struct SeamPart {
     return picked(wholeHalfEdge, whole);
   }
 
+  /// Per corner of the whole, its number here, if the part has all of the whole.
+  IdVector<SurfaceCorner, SurfaceCorner> cornersInPart() const {
+    IdVector<SurfaceCorner, SurfaceCorner> out(wholeHalfEdge.size());
+    for (const SurfaceCorner h : wholeHalfEdge.ids()) out[wholeHalfEdge[h]] = h;
+    return out;
+  }
+
   /// The other way round, if the part has all of the whole.
   template <class T>
   IdVector<SurfaceVertex, T> toWhole(const IdVector<SurfaceVertex, T>& part) const {

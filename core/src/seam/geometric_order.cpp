@@ -141,8 +141,7 @@ SeamPart inGeometricOrder(const SeamMesh& mesh, const Pulse& pulse) {
   for (const SurfaceCorner first : firstCorners(mesh, colorsOf(mesh, pulse)))
     addTriangle(mesh, first, out);
   addVertices(mesh, out);
-  IdVector<SurfaceCorner, SurfaceCorner> now(mesh.corners().size());
-  for (const SurfaceCorner h : out.wholeHalfEdge.ids()) now[out.wholeHalfEdge[h]] = h;
+  const IdVector<SurfaceCorner, SurfaceCorner> now = out.cornersInPart();
   for (const SurfaceCorner h : out.wholeHalfEdge) {
     const SurfaceCorner o = mesh.twin[h];
     out.mesh.twin.push_back(o.exists() ? now[o] : SurfaceCorner());

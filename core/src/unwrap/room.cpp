@@ -38,8 +38,7 @@ FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open, con
   const LaidCharts& charts = packed.charts;
   FlatSurface out;
   out.surface = cutAlong(part.mesh, part.ofCorners(open.seams));
-  IdVector<SurfaceCorner, SurfaceCorner> inPart(part.wholeHalfEdge.size());
-  for (const SurfaceCorner h : part.wholeHalfEdge.ids()) inPart[part.wholeHalfEdge[h]] = h;
+  const IdVector<SurfaceCorner, SurfaceCorner> inPart = part.cornersInPart();
   out.at.resize(out.surface.vertexCount());
   out.canCut.assign(out.surface.charts.size(), 0);
   out.density.assign(out.surface.charts.size(), 1);

@@ -85,8 +85,7 @@ bool cutBetween(const LaidCharts& charts, const IdVector<ChartId, NearParts>& ne
   if (toCut.empty()) return false;
   open.seams.resize(open.mesh.twin.size(), 0);
   const SeamPart part = inGeometricOrder(open.mesh);
-  IdVector<SurfaceCorner, SurfaceCorner> inPart(part.wholeHalfEdge.size());
-  for (const SurfaceCorner h : part.wholeHalfEdge.ids()) inPart[part.wholeHalfEdge[h]] = h;
+  const IdVector<SurfaceCorner, SurfaceCorner> inPart = part.cornersInPart();
   std::vector<OutlinePair> pairs;
   for (const ChartId i : toCut) addPairs(charts.set.topology(i), near[i], inPart, pairs);
   Seams seams = part.ofCorners(open.seams);
