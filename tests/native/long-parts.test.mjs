@@ -1,12 +1,9 @@
 // Long parts: cables, beams, rails and roads, which would leave most of the tile empty in one piece.
 
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { judgeFile } from '../support/exact-atlas.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
-import { boxArray, objText, sheet, together } from '../support/surfaces.mjs';
-import { tempFolder } from '../support/temp-folder.mjs';
+import { boxArray, sheet, together } from '../support/surfaces.mjs';
+import { unwrapJudged } from '../support/unwrap-judged.mjs';
 
 const TURN = 2 * Math.PI;
 
@@ -53,18 +50,7 @@ const spring = () =>
     true,
   );
 
-async function unwrapped(t, surface, ...args) {
-  const at = tempFolder(t);
-  writeFileSync(at('in.obj'), objText(surface));
-  const run = await runAbflat(
-    ['unwrap', 'in.obj', '-o', 'out.obj', '--report', 'r.json', '--quiet', ...args],
-    { cwd: at() },
-  );
-  assert.deepEqual([run.code, run.stderr], [0, '']);
-  const { isValid } = judgeFile(at('out.obj'));
-  assert.ok(isValid);
-  return JSON.parse(readFileSync(at('r.json'), 'utf8'));
-}
+const unwrapped = async (...args) => (await unwrapJudged(...args)).report;
 
 /** The surface, and the least utilization by itself and where 0.7 is asked for. */
 const SURFACES = {

@@ -2,13 +2,10 @@
 // surfaces here are folded from flat shapes whose parts nearly touch.
 
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { judgeFile } from '../support/exact-atlas.mjs';
 import { farParts } from '../support/far-parts.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
-import { objText, sheet } from '../support/surfaces.mjs';
-import { tempFolder } from '../support/temp-folder.mjs';
+import { sheet } from '../support/surfaces.mjs';
+import { unwrapJudged } from '../support/unwrap-judged.mjs';
 
 const TURN = 2 * Math.PI;
 
@@ -73,21 +70,13 @@ function comb(gap, prongs) {
 }
 
 async function unwrapped(t, surface, ...args) {
-  const at = tempFolder(t);
-  writeFileSync(at('in.obj'), objText(surface));
-  const run = await runAbflat(
-    ['unwrap', 'in.obj', '-o', 'out.obj', '--report', 'r.json', '--quiet', ...args],
-    { cwd: at() },
-  );
-  assert.deepEqual([run.code, run.stderr], [0, '']);
-  assert.ok(judgeFile(at('out.obj')).isValid);
-  const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+  const { report, text } = await unwrapJudged(t, surface, ...args);
   const { resolution, padding } = report.atlas;
   const notes = report.notes.filter((note) => note.includes('than the padding'));
   return {
     report,
     notes,
-    far: farParts(readFileSync(at('out.obj'), 'utf8'), { resolution, padding }),
+    far: farParts(text, { resolution, padding }),
   };
 }
 
