@@ -8,7 +8,9 @@ import {
   accessor,
   addMesh,
   assertSameButTexcoord,
+  assertValidFile,
   atlasOf,
+  cross,
   emptyDocument,
   flaws,
   io,
@@ -49,6 +51,62 @@ test('groupBy: an atlas for all, for each mesh, or for each primitive', async ()
     assert.equal(fractions.at(-1), 1);
   }
   assert.deepEqual(counts, { scene: [3], mesh: [2, 1], primitive: [1, 1, 1] });
+});
+
+/** A ball in three sizes, one of them mirrored, and one outside the scene. */
+function balls() {
+  const document = emptyDocument();
+  const primitive = primitiveOf(document, sphere(4));
+  const shape = primitive.getAttribute('POSITION');
+  primitive.addTarget(document.createPrimitiveTarget().setAttribute('POSITION', shape));
+  const { mesh, node } = addMesh(document, 'ball', primitive);
+  const scaled = (size) => document.createNode().setMesh(mesh).setScale([size, size, size]);
+  for (const size of [3, -2]) document.getRoot().listScenes()[0].addChild(scaled(size));
+  scaled(1);
+  return { document, mesh, node, nodes: () => document.getRoot().listNodes() };
+}
+
+const contents = (document) =>
+  ['Nodes', 'Meshes', 'Accessors'].map((kind) => document.getRoot()[`list${kind}`]().length);
+
+/** Each mesh's area in the atlas. */
+const areasIn = (document) =>
+  document
+    .getRoot()
+    .listMeshes()
+    .map((mesh) =>
+      atlasOf(mesh.listPrimitives()).reduce((sum, t) => sum + Math.abs(cross(...t)), 0),
+    );
+
+test('with texels of its own, each node has them at its size', async () => {
+  const { document, mesh, node, nodes } = balls();
+  const atlases = [];
+  const onAtlas = (atlas) => atlases.push(atlas);
+  await document.transform(unwrap(abflat, { ownTexels: true, onAtlas }));
+  assert.deepEqual(atlases[0].result.report.notes, []);
+  assert.ok(atlases[0].result.report.valid);
+  assert.equal(node.getMesh(), mesh, 'the first node keeps the mesh');
+  assert.equal(nodes()[3].getMesh(), mesh, 'so does one outside the scene');
+  await assertValidFile(document);
+  const after = await reread(document);
+  const isMirrored = (primitive) => primitive === primitivesOf(after)[2];
+  assert.deepEqual(flaws(atlasOf(primitivesOf(after), { isMirrored })), []);
+  const [least, larger, mirrored] = areasIn(after);
+  assert.ok(Math.abs(larger / least - 9) < 0.1, `${larger / least}`);
+  assert.ok(Math.abs(mirrored / least - 4) < 0.1, `${mirrored / least}`);
+});
+
+test('a run with texels of their own that fails, or has nothing to do, copies nothing', async () => {
+  const { document, nodes, mesh } = balls();
+  const run = (options) => document.transform(unwrap(abflat, options));
+  const before = contents(document);
+  await assert.rejects(run({ ownTexels: true, resolution: 16, padding: 256 }));
+  assert.deepEqual(contents(document), before);
+  assert.ok(nodes().every((node) => node.getMesh() === mesh));
+  await run({});
+  const after = contents(document);
+  await run({ ownTexels: true });
+  assert.deepEqual(contents(document), after, 'the primitive keeps its texcoords');
 });
 
 test('any set can be read: its islands are seams, or stay as they are', async () => {

@@ -3,6 +3,7 @@
 import type { Document, Mesh, Primitive, Transform } from '@gltf-transform/core';
 import { AbflatError } from './base/errors.js';
 import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
+import { giveOwnMeshes } from './gltf/own-meshes.js';
 import { setTexcoords } from './gltf/texcoords.js';
 import { freeTexcoord } from './gltf/texture-sets.js';
 import { ownFields } from './messages/fields.js';
@@ -47,6 +48,11 @@ export interface UnwrapDocumentOptions
   overwrite?: boolean;
   /** Default: `scene`, one atlas for all. */
   groupBy?: GroupBy;
+  /**
+   * Nodes of the scene that share a mesh each get a copy of it, with coordinates of its own, as
+   * lightmaps need. Default: false, they share its texels.
+   */
+  ownTexels?: boolean;
   /** Called for each atlas once the document has it. */
   onAtlas?: (atlas: DocumentAtlas) => void;
 }
@@ -65,26 +71,33 @@ export function unwrap(
     texcoord = own.fixedFaces === 'uv' ? readTexcoord : 0,
     overwrite = texcoord === 'auto' || own.fixedFaces !== undefined,
     groupBy = 'scene',
+    ownTexels = false,
     onAtlas,
     ...settings
   } = own;
   checkAbflat(abflat);
-  check({ texcoord, readTexcoord, overwrite, groupBy, onAtlas });
+  check({ texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas });
   checkFunction('onProgress', own.onProgress);
   const transform = async (document: Document): Promise<void> => {
     const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
     const all = membersOf(document);
-    const wanted = all.filter(
-      ({ primitive }) => overwrite || !primitive.getAttribute(`TEXCOORD_${set}`),
-    );
+    const isWanted = ({ primitive }: Member) =>
+      overwrite || !primitive.getAttribute(`TEXCOORD_${set}`);
+    const wanted = all.filter(isWanted);
     if (wanted.length < all.length) tellKept(document, set, all.length - wanted.length, all.length);
-    const unwrapped = await unwrapGroups(
-      abflat,
-      grouped(wanted, groupBy)
-        .map((members) => documentMesh(document, members, readTexcoord))
-        .filter(({ indices }) => indices.length > 0),
-      settings,
-    );
+    const shared = ownTexels ? new Set(wanted.map(({ mesh }) => mesh)) : new Set<Mesh>();
+    const takeBack = giveOwnMeshes(document, shared);
+    const members = ownTexels ? membersOf(document).filter(isWanted) : wanted;
+    const lay = async () => {
+      const meshes = grouped(members, groupBy)
+        .map((group) => documentMesh(document, group, readTexcoord))
+        .filter(({ indices }) => indices.length > 0);
+      return unwrapGroups(abflat, meshes, settings);
+    };
+    const unwrapped = await lay().catch((error) => {
+      takeBack();
+      throw error;
+    });
     for (const { parts, result } of unwrapped) {
       const { turnedFaces } = result.report.repair;
       setTexcoords({ document, parts }, result, { texcoord: set, turnedFaces });
@@ -105,13 +118,14 @@ function tellKept(document: Document, set: number, kept: number, count: number):
 }
 
 function check(options: UnwrapDocumentOptions): void {
-  const { texcoord, readTexcoord, overwrite, groupBy, onAtlas } = options;
+  const { texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas } = options;
   const isSet = (set: unknown) => Number.isInteger(set) && (set as number) >= 0;
   if (texcoord !== 'auto' && !isSet(texcoord))
     throw invalid(`texcoord must be 'auto' or a whole number from 0, not ${shown(texcoord)}.`);
   if (!isSet(readTexcoord))
     throw invalid(`readTexcoord must be a whole number from 0, not ${shown(readTexcoord)}.`);
   checkBoolean('overwrite', overwrite);
+  checkBoolean('ownTexels', ownTexels);
   checkFunction('onAtlas', onAtlas);
   if (!['scene', 'mesh', 'primitive'].includes(groupBy as string))
     throw invalid(`groupBy must be one of scene, mesh, primitive, not ${shown(groupBy)}.`);
@@ -147,7 +161,11 @@ async function unwrapGroups(
       transfer: true,
       roundsForGltf: true,
     });
-    result.report.notes.unshift(...mesh.notes);
+    // The only ones it has are about nodes that share texels.
+    const notes = mesh.notes.map(
+      (note) => `${note}. With the option ownTexels each node gets texels of its own`,
+    );
+    result.report.notes.unshift(...notes);
     atlases.push({ parts: mesh.parts, result });
   }
   return atlases;

@@ -14,6 +14,12 @@ class Budget {
   Budget(std::size_t fileSize, std::size_t least, std::size_t perByte)
       : left_(std::max(least, perByte * fileSize)) {}
 
+  /// For files whose meshes are copied on request, as often as scenes place trees.
+  static Budget ofCopies(std::size_t fileSize) {
+    constexpr std::size_t kCopies = 64;
+    return {fileSize, kCopies * kLeast, kCopies * kPerByte};
+  }
+
   /// False if there is no room for this many more.
   bool take(std::size_t elements) {
     if (elements > left_) return false;

@@ -9,6 +9,7 @@
 #include "gltf/budget.h"
 #include "gltf/container.h"
 #include "gltf/elements.h"
+#include "gltf/own_meshes.h"
 #include "gltf/source.h"
 #include "gltf/transforms.h"
 #include "gltf/triangles.h"
@@ -33,12 +34,12 @@ std::array<double, 3> moved(const Matrix& m, const double* p) {
 
 class ModelReader {
  public:
-  ModelReader(Source& source, GltfModel& model, std::size_t texcoord)
+  ModelReader(Source& source, GltfModel& model, const GltfReadOptions& options)
       : source_(source),
         document_(source.document),
         model_(model),
-        texcoord_("TEXCOORD_" + std::to_string(texcoord)),
-        budget_(document_.size) {}
+        texcoord_("TEXCOORD_" + std::to_string(options.texcoord)),
+        budget_(options.ownTexels ? Budget::ofCopies(document_.size) : Budget(document_.size)) {}
 
   Status read() {
     Result<std::vector<MeshPlace>> places = meshPlaces(document_);
@@ -254,7 +255,7 @@ class ModelReader {
           counted(shared_, "mesh and its", "meshes and their") + " texels. " +
           (hasScales_ ? "Their scales differ, so each layout is sized for the largest node. "
                       : "") +
-          "Give a node a mesh of its own for texels of its own");
+          "With the option own-texels each node gets texels of its own");
     if (leftOut_ > 0)
       model_.notes.push_back(
           counted(leftOut_, "point or line primitive was", "point or line primitives were") +
@@ -285,13 +286,14 @@ bool looksLikeGltf(std::string_view bytes) { return gltf::looksLikeGltf(bytes); 
 namespace {
 
 Result<GltfModel> modelOf(std::string_view bytes, const std::string& fileName,
-                          const ReadResource& readResource, std::size_t texcoord) {
+                          const ReadResource& readResource, const GltfReadOptions& options) {
   Result<gltf::Document> document = gltf::readDocument(bytes, fileName, readResource);
   if (!document.ok()) return document.status;
   auto source = std::make_shared<gltf::Source>();
   source->document = std::move(document.value);
+  if (options.ownTexels) gltf::giveOwnMeshes(source->document);
   GltfModel out;
-  if (Status s = gltf::ModelReader(*source, out, texcoord).read(); !s.ok()) return s;
+  if (Status s = gltf::ModelReader(*source, out, options).read(); !s.ok()) return s;
   out.source = std::move(source);
   return out;
 }
@@ -299,8 +301,8 @@ Result<GltfModel> modelOf(std::string_view bytes, const std::string& fileName,
 }  // namespace
 
 Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource, std::size_t texcoord) {
-  return guarded([&] { return modelOf(bytes, fileName, readResource, texcoord); });
+                           const ReadResource& readResource, const GltfReadOptions& options) {
+  return guarded([&] { return modelOf(bytes, fileName, readResource, options); });
 }
 
 }  // namespace abflat

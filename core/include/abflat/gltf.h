@@ -28,11 +28,17 @@ struct GltfModel {
 /// Whether the bytes begin like a .glb or .gltf file.
 bool looksLikeGltf(std::string_view bytes);
 
-/// Reads a .glb or .gltf file with the texcoords of its TEXCOORD_`texcoord`. `fileName` is used in
-/// messages only. Errors: ParseError, UnreadableFile (a file it refers to); messages name file and
-/// place.
+struct GltfReadOptions {
+  std::size_t texcoord = 0;  ///< N of the TEXCOORD_N to read
+  /// Nodes that share a mesh each get a copy of it, which is part of the mesh and of what writeGltf
+  /// writes, with texcoords of its own.
+  bool ownTexels = false;
+};
+
+/// Reads a .glb or .gltf file. `fileName` is used in messages only. Errors: ParseError,
+/// UnreadableFile (a file it refers to); messages name file and place.
 Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource, std::size_t texcoord = 0);
+                           const ReadResource& readResource, const GltfReadOptions& options = {});
 
 /// A glTF repeats vertices where normals or texcoords change. Makes faces use the first vertex at
 /// each position, unless the mesh is already a disk, which may be because it was cut. Returns how

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "abflat/gltf.h"
 #include "abflat/samples.h"
 #include "abflat/unwrap.h"
 #include "files/kept_faces.h"
@@ -16,7 +17,7 @@ struct UnwrapCommand {
   std::string input, output;
   bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
   std::optional<std::size_t> texcoord;  ///< number of the glTF set to write; none: auto
-  std::size_t readTexcoord = 0;         ///< number of the glTF set to read
+  GltfReadOptions gltf;
   std::string report;                   ///< empty: not wanted
   UnwrapOptionValues options;
   SeamSources seams;

@@ -153,6 +153,12 @@ void addReadTexcoord(CLI::App& app, std::size_t& set) {
       ->type_name("NUMBER");
 }
 
+void addOwnTexels(CLI::App& app, bool& ownTexels) {
+  app.add_flag("--own-texels", ownTexels,
+               wrapped("give each node of a glTF texels of its own where several share a mesh, as "
+                       "lightmaps need; the output has a copy of the mesh for each"));
+}
+
 void addAllowOutside(CLI::App& app, bool& allowsOutside) {
   app.add_flag("--allow-outside", allowsOutside,
                wrapped("read buffers, material files and images that the mesh refers to from any "

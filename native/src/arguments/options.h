@@ -33,6 +33,7 @@ void addPins(CLI::App& app, std::string& pins, const std::string& where);
 /// None means auto.
 void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set);
 void addReadTexcoord(CLI::App& app, std::size_t& set);
+void addOwnTexels(CLI::App& app, bool& ownTexels);
 /// Whether files that the mesh refers to may be anywhere.
 void addAllowOutside(CLI::App& app, bool& allowsOutside);
 void addReport(CLI::App& app, std::string& report);

@@ -126,7 +126,8 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addPictures(*sub, c);
   addOptions(*sub, c.options);
   addTexcoordSet(*sub, c.texcoord);
-  addReadTexcoord(*sub, c.readTexcoord);
+  addReadTexcoord(*sub, c.gltf.texcoord);
+  addOwnTexels(*sub, c.gltf.ownTexels);
   addAllowOutside(*sub, c.allowsOutside);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);

@@ -16,7 +16,7 @@ struct FlattenJob {
 
   static constexpr Repeated kRepeated = Repeated::Join;
 
-  static std::size_t readTexcoord(const FlattenCommand&) { return 0; }
+  static GltfReadOptions gltf(const FlattenCommand&) { return {}; }
   static bool keepsTexcoords(const FlattenCommand&) { return false; }
 
   static void addNotes(const std::vector<std::string>& notes, abflat::Report& report) {

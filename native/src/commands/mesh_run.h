@@ -43,7 +43,7 @@ struct ExtraFile {
 ///   Outcome, Report   what the core returns, and the part of it that is written as JSON
 ///   kRepeated         see readInput
 ///   addNotes          adds notes to a report
-///   readTexcoord      number of the glTF set to read
+///   gltf              how a glTF is read
 ///   keepsTexcoords    whether the result has all texcoords of that set
 ///   compute           from the mesh to a Result<Outcome>
 ///   json, summary, problem   texts of the report
@@ -105,7 +105,7 @@ class MeshRun {
     const std::string name = inputName(command_.input);
     progress_.show({Stage::Read, 0, 0, 0});
     Result<InputMesh> input = readInput(
-        command_.input, {Job::kRepeated, command_.allowsOutside, Job::readTexcoord(command_)});
+        command_.input, {Job::kRepeated, command_.allowsOutside, Job::gltf(command_)});
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);
@@ -149,7 +149,7 @@ class MeshRun {
     const bool isChosen = command_.texcoord || Job::keepsTexcoords(command_);
     if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf);
     if (Job::keepsTexcoords(command_) && !command_.texcoord)
-      texcoord_ = Job::readTexcoord(command_);
+      texcoord_ = Job::gltf(command_).texcoord;
     if (texcoord_ > 0 && !isChosen) {
       notes_.push_back(texcoordNote(*input_.gltf, texcoord_));
       if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + notes_.back()});

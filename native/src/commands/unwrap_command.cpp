@@ -19,7 +19,7 @@ struct UnwrapJob {
 
   static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them and reports it
 
-  static std::size_t readTexcoord(const UnwrapCommand& command) { return command.readTexcoord; }
+  static const GltfReadOptions& gltf(const UnwrapCommand& command) { return command.gltf; }
   static bool keepsTexcoords(const UnwrapCommand& command) { return command.keep.hasUv; }
 
   static void addNotes(const std::vector<std::string>& notes, UnwrapReport& report) {

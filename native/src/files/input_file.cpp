@@ -40,8 +40,8 @@ bool isGltf(const std::string& path, std::string_view bytes) {
   return !isOther && looksLikeGltf(bytes);
 }
 
-Status readGltfInput(const std::string& path, std::size_t texcoord, InputMesh& input) {
-  Result<GltfModel> model = readGltf(input.bytes, inputName(path), input.readResource, texcoord);
+Status readGltfInput(const std::string& path, const GltfReadOptions& options, InputMesh& input) {
+  Result<GltfModel> model = readGltf(input.bytes, inputName(path), input.readResource, options);
   if (!model.ok()) return model.status;
   std::string().swap(input.bytes);
   input.format = FileFormat::Gltf;
@@ -81,7 +81,7 @@ Result<InputMesh> readInput(const std::string& path, const ReadOptions& options)
     Result<std::string> bytes = readBytes(path);
     if (!bytes.ok()) return bytes.status;
     out.bytes = std::move(bytes.value);
-    const Status status = isGltf(path, out.bytes) ? readGltfInput(path, options.texcoord, out)
+    const Status status = isGltf(path, out.bytes) ? readGltfInput(path, options.gltf, out)
                                                   : readMeshInput(path, out);
     if (!status.ok()) return status;
     if (out.gltf && options.repeated == Repeated::Join) joinRepeated(out);

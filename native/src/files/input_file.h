@@ -31,7 +31,7 @@ enum class Repeated {
 struct ReadOptions {
   Repeated repeated = Repeated::Join;
   bool allowsOutside = false;  ///< files that the mesh refers to may be anywhere
-  std::size_t texcoord = 0;    ///< number of the glTF set to read
+  GltfReadOptions gltf = {};
 };
 
 /// Reads a mesh from a file together with the files that it refers to, or from standard input if

@@ -49,7 +49,7 @@ export class Placements {
     return this.#usages.get(mesh)?.placement ?? AS_IT_IS;
   }
 
-  /** What to know about meshes in several places, one sentence each. */
+  /** Which meshes are in several places, in one note. */
   notes(meshes: Iterable<Mesh>): string[] {
     const shared = [...new Set(meshes)]
       .map((mesh) => this.#usages.get(mesh))
@@ -57,10 +57,10 @@ export class Placements {
     if (shared.length === 0) return [];
     const nodes = shared.reduce((sum, usage) => sum + usage.nodes, 0);
     const scales = shared.some(({ hasScales }) => hasScales)
-      ? 'Their scales differ, so each layout is sized for the largest node. '
+      ? '. Their scales differ, so each layout is sized for the largest node'
       : '';
     return [
-      `${nodes} nodes share ${shared.length} ${shared.length === 1 ? 'mesh and its' : 'meshes and their'} texels. ${scales}Give a node a mesh of its own for texels of its own`,
+      `${nodes} nodes share ${shared.length} ${shared.length === 1 ? 'mesh and its' : 'meshes and their'} texels${scales}`,
     ];
   }
 }
