@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { complaints, parseObj } from '../support/atlas.mjs';
+import { chartDensities } from '../support/chart-densities.mjs';
 import { parsePly, plyToObj } from '../support/ply.mjs';
 import { parsePng } from '../support/png.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
@@ -90,6 +91,45 @@ test('uv: what has texcoords keeps them, what is new finds room', async (t) => {
   );
   writeFileSync(at('half.obj'), half);
   assertKept(before, await unwrapped(at, 'half.obj', '--keep', 'uv'), (face) => face < faces);
+});
+
+test('what is new has the texel density of what is kept, or less where it does not fit', async (t) => {
+  const at = tempFolder(t);
+  const ball = surfaces.sphere(5);
+  writeFileSync(at('ball.obj'), surfaces.objText(ball));
+  assert.equal((await runAbflat(['unwrap', 'ball.obj', '-o', 'uv.obj'], { cwd: at() })).code, 0);
+  const old = parseObj(readFileSync(at('uv.obj'), 'utf8'));
+  const lineOf = (key, rows) => rows.map((row) => `${key} ${row.join(' ')}\n`).join('');
+  const moved = old.positions.map(([x, y, z]) => [x + 4, y, z]);
+  const count = old.positions.length;
+  for (const size of [0.3, 1]) {
+    const texcoords = old.texcoords.map((uv) => uv.map((x) => x * size));
+    const kept = old.faces.map((face) => face.map(([v, k]) => `${v + 1}/${k + 1}`));
+    const added = old.faces.map((face) => face.map(([v]) => v + 1 + count));
+    const lines = [
+      ['v', old.positions],
+      ['v', moved],
+      ['vt', texcoords],
+      ['f', kept],
+      ['f', added],
+    ];
+    writeFileSync(at('in.obj'), lines.map((line) => lineOf(...line)).join(''));
+    const { code, text, report } = await unwrapped(at, 'in.obj', '--keep', 'uv');
+    assert.deepEqual([code, complaints(text)], [0, []]);
+    const all = chartDensities(text, 1024).map(({ density }) => density);
+    const isKept = report.charts.map(({ fixed }) => fixed);
+    const [before, now] = [true, false].map((is) => all.filter((_, i) => isKept[i] === is));
+    // Pieces of a chart share its scale, so those of one atlas differ a little.
+    const most = Math.max(...before) * 1.01;
+    assert.ok(
+      now.every((density) => density < most),
+      `${now} beside ${before}`,
+    );
+    // At full size the kept islands leave room for crumbs only.
+    const [least] = [...now].sort((a, b) => a - b);
+    assert.equal(least > 0.95 * Math.min(...before), size < 1, `${now} beside ${before}`);
+    assert.ok(Math.abs(report.atlas.texelDensity / now[0] - 1) < 0.02);
+  }
 });
 
 test('material: faces of materials keep their uv, those of others are made new', async (t) => {

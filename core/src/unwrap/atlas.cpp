@@ -90,6 +90,11 @@ double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& 
   return onSurface > 0 && inUv > 0 ? resolution * std::sqrt(inUv / onSurface) / packed.unit : 0;
 }
 
+/// New charts get the texels that kept ones have, and none of the room that is left.
+bool keepsIslands(const FlatCharts& flat) {
+  return std::any_of(flat.begin(), flat.end(), [](const FlatChart& c) { return c.isGiven; });
+}
+
 bool areAllFixed(const FlatCharts& flat) {
   for (const FlatChart& chart : flat)
     if (!chart.isFixed) return false;
@@ -133,7 +138,7 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   how.work = packWork(shapes, atlas.packingCuts > 0);
   how.fixedMayLeave = options.keepsPlaces;
   const double fixedDensity = densityOfFixed(packed, shapes, options.resolution);
-  if (options.keepsPlaces) how.mostDensity = fixedDensity;
+  if (options.keepsPlaces || keepsIslands(packed.charts.flat)) how.mostDensity = fixedDensity;
   Result<Packing> result = pack(std::move(shapes), how);
   if (!result.ok()) return result.status;
   Packing& packing = packed.packing;
