@@ -50,6 +50,7 @@ bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFre
 void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOptions& options,
                 ThreadPool& pool, const Monitor& monitor, const std::function<bool(double)>& tell,
                 LaidCharts& charts) {
+  constexpr double kUsualSteps = 8;  // of a chart's solver and refining, half of them
   const ChartSet& set = charts.set;
   FlatCharts& flat = charts.flat;
   const std::vector<std::uint32_t> order = largestFirst(set);
@@ -70,13 +71,15 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
     const ChartId i(order[k]);
     FlatChart& out = flat[i];
     if (isKnown(i)) return;
+    const std::size_t size = set.topology(i).triangleCount();
     // Progress of all charts is reported, but only from the caller's own thread.
+    Approach steps(kUsualSteps);
     const auto goesOn = [&] {
       if (!pool.isOwner()) return !monitor.stopped();
-      return tell(static_cast<double>(done) / static_cast<double>(triangles));
+      const double own = static_cast<double>(size) * steps.next();
+      return tell((static_cast<double>(done) + own) / static_cast<double>(triangles));
     };
     const bool isCutEnough = out.isCutEnough, isWhole = out.isWhole;
-    const std::size_t size = set.topology(i).triangleCount();
     out = namesVertices(wishes[i])
               ? flattenOne(set.chart(i), options, wishes[i], patienceFor(i), pool, goesOn)
               : flattenInOrder(set, i, options, patienceFor(i), pool, goesOn);
