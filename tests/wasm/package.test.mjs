@@ -255,7 +255,7 @@ test('the README names every option of unwrapping documents', () => {
   const types = readFileSync(join(DIST, 'gltf.d.ts'), 'utf8');
   const [, body] = types.match(/interface UnwrapDocumentOptions [^{]*{(.*?)^}/ms);
   const options = [...body.matchAll(/^ {4}(\w+)\?:/gm)].map(([, name]) => name);
-  assert.equal(options.length, 5);
+  assert.ok(options.length >= 5, `${options}`);
   for (const name of options) assert.ok(text.includes(`| \`${name}\` |`), name);
 });
 
