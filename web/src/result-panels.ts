@@ -63,6 +63,7 @@ export class ResultPanels {
       chosen: (chart) => events.chosen(chart),
       locked: (what) => events.locked(what),
       packAgain: () => wishes.packAgain(),
+      say: (text) => events.say(text),
     });
     this.sweep = new SweepTab(
       (t, signal) =>

@@ -598,7 +598,14 @@ export const LOCKS = {
   about: 'Locked: the chart keeps its shape and position, whatever else changes',
   locked: (chart: number) => `Locked chart ${chart}`,
   unlocked: (chart: number) => `Unlocked chart ${chart}`,
-  summary: (n: number) => (n > 0 ? `${counted(n, 'chart')} locked` : 'Locked charts stay in place'),
+  keptUvs: 'Kept UVs stay in place; switch Keep UVs off to move them',
+  summary: (locked: number, keptUvs: number) => {
+    const texts = [
+      ...(locked > 0 ? [`${counted(locked, 'chart')} locked`] : []),
+      ...(keptUvs > 0 ? [`${counted(keptUvs, 'chart keeps its', 'charts keep their')} UVs`] : []),
+    ];
+    return texts.length > 0 ? texts.join(', ') : 'Locked charts stay in place';
+  },
 };
 
 /** By abflat's names. */
@@ -915,6 +922,7 @@ export const SELECTION = {
   },
   none: 'Select a chart first',
   locked: 'Locked charts stay. Unlock them to move them',
+  keptUvs: LOCKS.keptUvs,
   density: 'Density',
   mixedDensity: 'mixed',
   densityOfOne: (chart: number, density: number) => `Density of chart ${chart}: ${density}`,
@@ -973,6 +981,7 @@ export const PINS = {
   moved: (chart: number) => `Moved a pin of chart ${chart}`,
   notMoved: (message: string) => `The pin was not moved: ${message}`,
   locked: 'This chart is locked. Unlock it to drag its pins',
+  keptUvs: LOCKS.keptUvs,
 };
 
 /** Keys, where the help does not show them by the names that events give them. */

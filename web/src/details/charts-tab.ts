@@ -13,6 +13,7 @@ export interface ChartsTabEvents {
   /** A chart was locked or unlocked; `what` says so. */
   locked(what: string): void;
   packAgain(): void;
+  say(text: string): void;
 }
 
 /** What an atlas consists of and how it was made. */
@@ -36,6 +37,10 @@ export class ChartsTab {
         events.chosen(chart);
       },
       locked: (chart) => {
+        if (locks.keptUvs.has(chart)) {
+          events.say(LOCKS.keptUvs);
+          return;
+        }
         locks.toggle(chart);
         this.showLocks();
         events.locked(locks.charts.has(chart) ? LOCKS.locked(chart) : LOCKS.unlocked(chart));
@@ -68,9 +73,9 @@ export class ChartsTab {
   }
 
   private showLocks(): void {
-    const { charts } = this.locks;
-    this.table.showLocks(charts);
-    this.lockSummary.textContent = LOCKS.summary(charts.size);
+    const { charts, keptUvs } = this.locks;
+    this.table.showLocks(charts, keptUvs);
+    this.lockSummary.textContent = LOCKS.summary(charts.size, keptUvs.size);
   }
 }
 

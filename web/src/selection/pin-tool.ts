@@ -22,7 +22,9 @@ export interface PinEvents {
   /** The atlas on screen, with charts where they are now; null if there is none. */
   layout(): Unwrapped | null;
   /** Charts that must not change. */
-  locked(): ReadonlySet<number>;
+  staying(): ReadonlySet<number>;
+  /** Those that must not because the file has them as they are. */
+  keptUvs(): ReadonlySet<number>;
   hidden(): ReadonlySet<number>;
   /** A chart as a mesh of its own. */
   chart(outcome: Unwrapped, chart: number): Promise<ChartMesh>;
@@ -113,8 +115,9 @@ export class PinTool {
   private movable(corner: number | null): Movable | null {
     const outcome = this.events.layout();
     if (corner === null || !outcome || this.dragged) return null;
-    if (this.isLocked(outcome, corner)) {
-      this.events.say(PINS.locked);
+    if (this.stays(outcome, corner)) {
+      const isOfFile = this.events.keptUvs().has(chartOfCorner(outcome.result, corner));
+      this.events.say(isOfFile ? PINS.keptUvs : PINS.locked);
       return null;
     }
     const middle = pointOfCorner(outcome.result, corner);
@@ -140,8 +143,8 @@ export class PinTool {
     };
   }
 
-  private isLocked({ result }: Unwrapped, corner: number): boolean {
-    return this.events.locked().has(chartOfCorner(result, corner));
+  private stays({ result }: Unwrapped, corner: number): boolean {
+    return this.events.staying().has(chartOfCorner(result, corner));
   }
 
   private async place(bending: Promise<Bending>, by: Point): Promise<void> {
@@ -206,7 +209,7 @@ export class PinTool {
     const aimed = pin ?? (at && this.cornerAt(at));
     this.views.canvasOf('layout').classList.toggle('movable', pin !== null);
     // So that it follows at once when it is dragged.
-    if (pin !== null && outcome && !this.isLocked(outcome, pin)) void this.bending(outcome, pin);
+    if (pin !== null && outcome && !this.stays(outcome, pin)) void this.bending(outcome, pin);
     if (aimed === this.aimed) return;
     this.aimed = aimed;
     this.draw();

@@ -99,8 +99,10 @@ export async function layOut(
   };
   const runs = { abflat, input, helpers, signal: watch.signal };
   const packed = (known: Earlier) => {
-    if (!last?.stacks) return unwrap(known).then((result) => ({ result }));
-    const { faceDensities } = settings;
+    const { faceDensities, fixedFaces } = settings;
+    // Charts that take the uv of the file leave their stacks.
+    if (!last?.stacks || fixedFaces !== last.settings.fixedFaces)
+      return unwrap(known).then((result) => ({ result }));
     return keepingStacks(last, last.stacks, { ...known, faceDensities }, unwrap, runs);
   };
   if (!known.keepsPlaces) return made(await packed(known));

@@ -89,9 +89,11 @@ export async function keepingStacks(
   runs: Runs,
 ): Promise<Judged> {
   const fixed = new Set(options.fixedCharts);
-  // What is locked stays, so the others come to it.
+  // What is locked, or as in the file, stays, so the others come to it.
+  const { charts } = earlier.result.report;
+  const stays = (chart: number) => fixed.has(chart) || charts[chart].solver === 'given';
   const ordered = stacks.map((stack) =>
-    [...stack].sort((a, b) => Number(fixed.has(b)) - Number(fixed.has(a))),
+    [...stack].sort((a, b) => Number(stays(b)) - Number(stays(a))),
   );
   const upper = new Set(ordered.flatMap(([, ...others]) => others));
   const fixedCharts = options.fixedCharts?.filter((chart) => !upper.has(chart));
