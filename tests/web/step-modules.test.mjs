@@ -39,6 +39,21 @@ test('undo and redo go through the steps, and a change drops those that were und
   assert.deepEqual(texts(steps), ['Open another']);
 });
 
+test('the last result of some settings is found, unless it was undone', async (t) => {
+  const { steps } = await stepsFor(t);
+  const [first, later] = [result(atlas()), result(atlas())];
+  assert.equal(steps.resultOf(atlas()), null, 'there is none yet');
+  steps.settle(first);
+  steps.change({ mode: 'flatten', t: 1 });
+  assert.equal(steps.resultOf(atlas()), first);
+  assert.equal(steps.resultOf(atlas({ padding: 4 })), null);
+  steps.change(atlas());
+  steps.settle(later);
+  assert.equal(steps.resultOf(atlas()), later);
+  steps.go(1);
+  assert.equal(steps.resultOf(atlas()), first);
+});
+
 test('what comes from a slider in quick succession is one step', async (t) => {
   const { steps, clock } = await stepsFor(t);
   const drag = (maxStretch) => steps.change(atlas({ maxStretch }));

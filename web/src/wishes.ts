@@ -34,14 +34,14 @@ export class Wishes {
     private readonly seams: SeamPanel,
     private readonly events: WishEvents,
   ) {
-    const changed = () => this.changed();
+    const changed = () => events.changed();
     this.bound = new BoundControl(changed, events.say);
     this.balance = new BalanceControl('flatten', changed);
-    this.options = new AtlasControl(changed, events.say);
-    this.mode = new ModeSwitch(() => {
+    this.options = new AtlasControl(() => {
       this.placed = undefined;
-      events.modeChanged();
-    });
+      changed();
+    }, events.say);
+    this.mode = new ModeSwitch(() => events.modeChanged());
     this.delaunay.addEventListener('click', () => {
       this.setDelaunay(!this.isDelaunay);
       changed();
@@ -141,11 +141,6 @@ export class Wishes {
     this.seams.restore(settings);
     this.locks.restore(settings.kept);
     this.showCutting();
-  }
-
-  private changed(): void {
-    this.placed = undefined;
-    this.events.changed();
   }
 
   private showCutting(): void {

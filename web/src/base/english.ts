@@ -758,6 +758,7 @@ export const RUN = {
   someCharts: (some: number, charts: number, what: string) =>
     `; ${count(some)} of ${counted(charts, 'chart')} ${what}`,
   shownAgain: (title: string) => `${title} is as you left it`,
+  asLeft: 'This layout is as you left it',
   cancelled: 'Cancelled',
   notOpened: (title: string) => `${title} was not opened`,
   nothingOpened: 'Nothing was opened',
