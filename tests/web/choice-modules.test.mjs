@@ -104,6 +104,25 @@ test('faces are those of the file: polygons beside their triangles', async () =>
   assert.equal(facesText(mesh, { faces: 968 }), '968 triangles');
 });
 
+test('where charts are too large, the page says what to do on it', async () => {
+  const { failure } = await load('session/words');
+  const said = (text) => failure({ name: 'a.obj' }, { mode: 'unwrap' }, text);
+  assert.equal(
+    said(
+      'at 900 texels per unit chart 874 does not fit a tile of 1024 texels. Lower the density to 55.7, or raise the resolution to 16833',
+    ),
+    'a.obj was not unwrapped: at 900 texels per unit, one chart does not fit a tile of 1,024\u202fpx. Set Texel density, under More, to auto or to at most 55.7.',
+    'no such resolution is offered',
+  );
+  assert.equal(
+    said(
+      'at 90 texels per unit the charts do not fit one tile of 1024 texels. Lower the density to 55.7, raise the resolution to 1683, or allow several tiles',
+    ),
+    'a.obj was not unwrapped: at 90 texels per unit, the charts do not fit one tile of 1,024\u202fpx. Set Texel density, under More, to auto or to at most 55.7, choose a resolution of 2,048\u202fpx, or switch on UDIM tiles.',
+  );
+  assert.equal(said('ran out of memory'), 'a.obj was not unwrapped: ran out of memory.');
+});
+
 test('cutting further adds automatic seams to those chosen, and can be taken back', async () => {
   const { SeamModel } = await load('seams/seam-model');
   const { seamOptions } = await load('seams/seam-choice');

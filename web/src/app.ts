@@ -326,6 +326,7 @@ export class App implements SessionEvents {
 
   private show(outcome: Outcome, drawing: FlatDrawing): void {
     hideAlert();
+    if (this.result.outcome) this.meshes.overtake();
     this.history.settle(outcome);
     this.result.show(outcome, drawing);
     this.tools?.show(outcome);

@@ -769,6 +769,27 @@ export const RUN = {
     `${title} was not ${done === null ? 'opened' : done.toLowerCase()}: ${ended(why)}`,
 };
 
+/** Why an atlas has too little room, and what helps. */
+export const NO_ROOM = {
+  /** `isOne`: a single chart is too large; `most`: the density that fits; `enough`: a resolution that does, if one is offered. */
+  tooDense: (
+    density: number,
+    resolution: number,
+    isOne: boolean,
+    most: number,
+    enough: number | undefined,
+  ) => {
+    const what = isOne ? 'one chart does not fit a tile' : 'the charts do not fit one tile';
+    const ways = [
+      `Set Texel density, under More, to auto or to at most ${most}`,
+      ...(enough ? [`choose a resolution of ${count(enough)}\u202fpx`] : []),
+      ...(isOne ? [] : ['switch on UDIM tiles']),
+    ];
+    const either = [ways.slice(0, -1).join(', '), ways.at(-1)].filter(Boolean).join(', or ');
+    return `at ${density} texels per unit, ${what} of ${count(resolution)}\u202fpx. ${either}.`;
+  },
+};
+
 /** What is on screen. */
 export const SHOWN = {
   pageTitle: (title: string) => `${title} \u2013 abflat`,

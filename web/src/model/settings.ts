@@ -33,6 +33,9 @@ export interface Marks {
   pins?: Uint32Array;
 }
 
+/** Texels along a side of an atlas that are offered. */
+export const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
+
 /** What the user can ask of an atlas. */
 export interface UnwrapSettings extends MoreOptions, Marks {
   mode: 'unwrap';

@@ -1,6 +1,7 @@
 import { bent, type ChartMesh, type Coordinates } from '../arrange/chart-mesh';
 import { type Motion, moved, type Point, STILL } from '../arrange/motion';
 import { PINS } from '../base/english';
+import { isMessageNext } from '../base/messages';
 import type { Unwrapped } from '../model/model';
 import { Aim } from '../view/aim';
 import type { Bending } from '../view/bending';
@@ -229,8 +230,8 @@ export class PinTool {
 
   private onKey(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey || !this.layout) return;
-    const isToggle = event.key.toLowerCase() === 'p' || (this.isOn && event.key === 'Escape');
-    if (!isToggle) return;
+    const leaves = this.isOn && event.key === 'Escape' && !isMessageNext();
+    if (!leaves && event.key.toLowerCase() !== 'p') return;
     event.preventDefault();
     event.stopPropagation();
     this.toggle();
