@@ -54,6 +54,12 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   );
   // Automatic seams have already done what they can.
   assert.equal(verdictOf(atlas(1.04, 'auto,uv', [chart(2)])).remedy, null);
+  // But not where charts were only packed again, or moved.
+  const packed = atlas(1.04, 'auto', [chart(2)]);
+  packed.settings.placed = {};
+  assert.equal(verdictOf(packed).remedy, 'cut');
+  packed.settings.seamEdges = new Uint32Array();
+  assert.equal(verdictOf(packed).remedy, null);
   // Charts that the user keeps are not judged.
   assert.equal(badge(atlas(1.04, 'none', [chart(1.9, { solver: 'given' })])), 'Valid');
   assert.equal(badge(atlas(1.04, 'none', [chart(Number.NaN)])), 'Valid');

@@ -70,6 +70,16 @@ test('a locked chart stays bit by bit until it is unlocked', async (t) => {
   assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 0);
   await page.click('#pack-again');
   await settled(page);
+  const packed = await atlas(page);
+  const ofLargest = [...chartOf.keys()].filter((f) => chartOf[f] === largest);
+  assert.ok(!ofLargest.every((f) => isSame(packed, f)), 'it moves');
+  const { ofFace } = chartsOf(packed.obj);
+  assert.equal(new Set(ofLargest.map((f) => ofFace[f])).size, 1, 'but is cut no further');
+  // Only another layout cuts it as the options say.
+  await page.focus('#stretch');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Home');
+  await settled(page);
   const path = tempFolder(t);
   writeFileSync(path('in.obj'), BOTH);
   const { code, stderr } = await runAbflat([

@@ -139,11 +139,13 @@ test('changes are named by what differs', async () => {
 });
 
 test('only seams have changed if all else is the same', async () => {
-  const { sameButSeams, sameSettings } = await load('model/settings');
+  const { isMadeByHand, sameButSeams, sameSettings } = await load('model/settings');
   const edges = Uint32Array.of(0, 1);
   assert.ok(sameButSeams(atlas({ seams: 'auto' }), atlas({ seams: 'none', seamEdges: edges })));
   assert.ok(!sameButSeams(atlas(), atlas({ padding: 3, seamEdges: edges })));
   assert.ok(sameSettings(atlas({ seamEdges: undefined }), atlas()));
   assert.ok(sameSettings(atlas({ kept: {} }), atlas()), 'locks are no reason to lay out again');
   assert.ok(!sameSettings(atlas({ placed: {} }), atlas({ placed: {} })));
+  assert.ok(isMadeByHand(atlas({ placed: {} })));
+  assert.ok(!isMadeByHand(atlas({ placed: { repacks: true } })), 'packing is not by hand');
 });

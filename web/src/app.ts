@@ -202,7 +202,7 @@ export class App implements SessionEvents {
 
   private remedy(remedy: Remedy): void {
     if (remedy === 'unwrap') this.wishes.mode.choose('unwrap');
-    else if (remedy === 'pack') this.wishes.packAgain();
+    else if (remedy === 'pack') this.result.packAgain();
     else this.seams.cutFurther();
   }
 
@@ -311,7 +311,8 @@ export class App implements SessionEvents {
     const { badge } = verdictOf(outcome, drawing.areas);
     const but = badge === BADGES.valid ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
-    const { done } = LAYING_OUT[outcome.mode];
+    const isRepacked = this.said === CHANGES.packedAgain;
+    const done = isRepacked ? this.said : LAYING_OUT[outcome.mode].done;
     const what = isOnlyPlaced(outcome)
       ? RUN.checked(this.said, time) + but
       : RUN.laidOut(done, time) + but + kept(outcome);

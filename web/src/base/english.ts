@@ -450,7 +450,7 @@ export const REMEDIES = {
   },
   pack: {
     label: 'Repack',
-    title: 'Pack all charts again, at the same texel density',
+    title: 'Pack the same charts again, all at the same texel density',
   },
   unwrap: { label: 'Unwrap', title: 'Cut the mesh into charts that stretch less' },
 };

@@ -3,6 +3,7 @@ import { BADGES, VERDICT } from '../base/english';
 import { sentence } from '../base/format';
 import type { ChartAreas } from '../mesh/chart-areas';
 import type { Outcome, Unwrapped } from '../model/model';
+import type { UnwrapSettings } from '../model/settings';
 import { stackedCharts } from '../model/stacks';
 
 /** What would help: more seams, seams at all, or packing all charts anew. */
@@ -61,7 +62,7 @@ function ofAtlas(outcome: Unwrapped, areas: ChartAreas | null): Verdict {
   return {
     badge: BADGES.stretched,
     reason: VERDICT.stretched(above(most, limit), limit, stretched.length, charts.length),
-    remedy: isAutomatic(settings.seams) ? null : 'cut',
+    remedy: isCutEnough(settings) ? null : 'cut',
   };
 }
 
@@ -92,6 +93,10 @@ function stretchedCharts({ charts }: UnwrapReport, maxStretch: number) {
     (chart) => chart.solver !== 'given' && chart.symmetricDirichlet > maxStretch,
   );
 }
+
+/** Whether all was tried: charts that were moved or packed again are as they were cut before. */
+const isCutEnough = ({ seams, seamEdges, placed }: UnwrapSettings) =>
+  isAutomatic(seams) && (seamEdges !== undefined || placed === undefined);
 
 /** Whether, with this value of `--seams`, charts are cut until they keep within the limit. */
 export const isAutomatic = (seams: string) => seams.split(',').includes('auto');
