@@ -74,6 +74,20 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
     reason: '1 chart is not valid: it folds',
     remedy: null,
   });
+  const outside = 'it extends beyond its tile';
+  const over = 'it touches or overlaps the chart containing face 3 in the atlas';
+  const wrong = (problem, more) => chart(1, { valid: false, problem, ...more });
+  const moved = { solver: 'known', fixed: true };
+  const both = [wrong(`${outside}, and ${over}`, moved), wrong(over, moved), wrong(over, moved)];
+  assert.deepEqual(verdictOf(atlas(1.04, 'auto', both, false)), {
+    badge: 'Not valid',
+    reason: '1 chart outside its tile, 3 charts overlap',
+    remedy: 'pack',
+  });
+  // Packing helps neither those that stay, nor what folds.
+  const locked = { solver: 'given', fixed: true };
+  for (const charts of [[wrong(over, locked)], [wrong(over)], [...both, wrong('it folds', moved)]])
+    assert.equal(verdictOf(atlas(1.04, 'auto', charts, false)).remedy, null);
 });
 
 test('the badge of a mesh in one piece turns with its lengths', async () => {

@@ -442,6 +442,9 @@ export const VERDICT = {
       : `${count(charts)} charts are not valid. In the first, ${problem}`,
 };
 
+/** What is wrong with a chart, in the words of abflat. */
+export const DEFECTS = { both: (one: string, other: string) => `${one}, and ${other}` };
+
 /** What the user can do about a verdict. */
 export const REMEDIES = {
   cut: {

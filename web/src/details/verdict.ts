@@ -2,6 +2,7 @@ import type { Report, UnwrapReport } from 'abflat';
 import { BADGES, VERDICT } from '../base/english';
 import { sentence } from '../base/format';
 import type { ChartAreas } from '../mesh/chart-areas';
+import { isOutside, isOverlapping } from '../model/misplaced';
 import type { Outcome, Unwrapped } from '../model/model';
 import type { UnwrapSettings } from '../model/settings';
 import { stackedCharts } from '../model/stacks';
@@ -23,9 +24,6 @@ export interface Verdict {
  */
 const MOST_CHANGE = 0.5;
 
-/** How abflat says that a chart of an atlas is in the wrong place. */
-const OUTSIDE = /^it extends beyond its tile/;
-const OVERLAPPING = /^it touches or overlaps the chart/;
 /** Charts that stayed where they were may have this many times the texels along an edge that others have. */
 const MOST_UNEVEN = 1.1;
 
@@ -49,7 +47,10 @@ function ofDisk({ charts: [chart], valid }: Report): Verdict {
 function ofAtlas(outcome: Unwrapped, areas: ChartAreas | null): Verdict {
   const { result, settings, stacks } = outcome;
   const { charts, valid } = result.report;
-  if (!valid) return { badge: BADGES.notValid, reason: defects(result.report), remedy: null };
+  if (!valid) {
+    const remedy = isMisplaced(result.report) ? 'pack' : null;
+    return { badge: BADGES.notValid, reason: defects(result.report), remedy };
+  }
   const uneven = areas && unevenDensity(outcome, areas);
   if (uneven) return { badge: BADGES.uneven, reason: VERDICT.uneven(...uneven), remedy: 'pack' };
   const stretched = stretchedCharts(result.report, settings.maxStretch);
@@ -107,12 +108,21 @@ function above(stretch: number, limit: number): string {
   return stretch.toFixed(digits ?? 6);
 }
 
-/** Why charts are not valid: how many of each kind. */
+/** Whether nothing is wrong but where charts are, and packing moves one of them. */
+function isMisplaced({ charts }: UnwrapReport): boolean {
+  const bad = charts.filter(({ valid }) => !valid);
+  return (
+    bad.every(({ problem }) => isOutside(problem) || isOverlapping(problem)) &&
+    bad.some(({ solver, fixed }) => fixed && solver === 'known')
+  );
+}
+
+/** Why charts are not valid: how many of each kind. One may be of two kinds. */
 function defects({ charts }: UnwrapReport): string {
-  const problems = charts.filter((chart) => !chart.valid).map(({ problem }) => problem);
-  const outside = problems.filter((problem) => OUTSIDE.test(problem));
-  const overlapping = problems.filter((problem) => OVERLAPPING.test(problem));
-  const others = problems.filter((problem) => !OUTSIDE.test(problem) && !OVERLAPPING.test(problem));
+  const problems = charts.filter(({ valid }) => !valid).map(({ problem }) => problem);
+  const outside = problems.filter(isOutside);
+  const overlapping = problems.filter(isOverlapping);
+  const others = problems.filter((problem) => !isOutside(problem) && !isOverlapping(problem));
   return [
     ...(outside.length > 0 ? [VERDICT.outside(outside.length)] : []),
     ...(overlapping.length > 0 ? [VERDICT.overlapping(overlapping.length)] : []),
