@@ -90,6 +90,27 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
     assert.equal(verdictOf(atlas(1.04, 'auto', charts, false)).remedy, null);
 });
 
+test('beside charts that keep the uv of the file, others of another texel density are uneven', async () => {
+  const { verdictOf } = await load('details/verdict');
+  const given = { solver: 'given', fixed: true };
+  /** `densities`: of two charts with uv of the file, then of a new one; all have the same area. */
+  const badge = (densities, fixedFaces = 'uv') => {
+    const outcome = atlas(1.04, 'auto', [chart(1, given), chart(1, given), chart(1)]);
+    outcome.settings.fixedFaces = fixedFaces;
+    outcome.result.report.atlas = { resolution: 100 };
+    const all = { solid: Float64Array.of(1, 1, 1), asked: Float64Array.of(1, 1, 1) };
+    const flat = Float64Array.from(densities, (each) => (each / 100) ** 2);
+    const { badge, reason, remedy } = verdictOf(outcome, { ...all, flat });
+    assert.equal(remedy, null);
+    return `${badge}: ${reason}`;
+  };
+  assert.equal(badge([20, 20, 60]), 'Uneven: Texel density 20.0 to 60.0: kept UVs keep theirs');
+  assert.equal(badge([20, 20, 10]), 'Uneven: Texel density 10.0 to 20.0: kept UVs keep theirs');
+  assert.match(badge([20, 20, 21]), /^Valid/);
+  assert.match(badge([20, 80, 60]), /^Valid/, 'those of the file are as they are');
+  assert.match(badge([20, 20, 60], null), /^Valid/, 'locked charts are meant to differ');
+});
+
 test('the badge of a mesh in one piece turns with its lengths', async () => {
   const { verdictOf } = await load('details/verdict');
   const disk = (lengthDistortion, valid = true) =>

@@ -280,7 +280,7 @@ export const OPTION_LABELS = {
 export const OPTIONS = {
   off: (label: string) => `no ${label}`,
   setTo: (label: string, value: string | number) => `${label} ${value}`,
-  uvsKept: 'UVs of the file kept',
+  keepingUvs: 'keep UVs of the file',
   keepUvs: 'Keep UVs of the file',
   aboutKeepUvs:
     'Faces with UVs in the file keep them exactly; all others are unwrapped and packed around them',
@@ -425,6 +425,8 @@ export const VERDICT = {
   stacked: (charts: number) => `${counted(charts, 'chart')} stacked, no other overlaps`,
   uneven: (least: number, most: number) =>
     `Texel density ${measure(least)} to ${measure(most)}: repack to even out`,
+  unevenBesideKept: (least: number, most: number) =>
+    `Texel density ${measure(least)} to ${measure(most)}: kept UVs keep theirs`,
   lengthsChange: (share: number) =>
     `Lengths change by ${count(100 * share)}\u202f% on average: seams would help`,
   stretched: (most: string, limit: number, charts: number, all: number) => {
@@ -492,7 +494,7 @@ export const ATLAS_METRICS = {
   stretch: {
     label: 'Stretch',
     title:
-      'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths',
+      'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths. The stretch ratio in Details ignores changes of size; there, 1 keeps all angles',
   },
   angle: {
     label: 'Angular distortion',
@@ -593,6 +595,8 @@ export const CHART_LIST = {
     const cuts = cutEdges > 0 ? `cut along ${counted(cutEdges, 'edge')}` : 'nothing was cut';
     return `${sizes}; ${cuts}; average stretch ratio ${measure(stretchRatio)}`;
   },
+  aboutSummary:
+    'Stretch ratio: how many times as much a triangle stretches in one direction as across it, mean over the surface; 1 keeps all angles. Stretch, above, also counts changes of size',
 };
 
 export const LOCKS = {
@@ -734,8 +738,8 @@ export const CHANGES = {
   seams: (sources: string) => `Seams: ${sources.replaceAll(',', ', ')}`,
   seamEdges: (edges: number) => `Seams of ${counted(edges, 'edge')}`,
   noSeamEdges: 'Seams as chosen',
-  keptUvs: 'UVs of the file kept',
-  noKeptUvs: 'UVs of the file not kept',
+  keepUvs: 'Keep UVs of the file',
+  keepNoUvs: 'Keep UVs of the file off',
   packedAgain: 'Repacked',
   switched: (label: string, isOn: boolean) => (isOn ? label : `${label} off`),
   set: (label: string, value: unknown) => `${label} ${value}`,

@@ -55,6 +55,7 @@ export class ChartsTab {
     this.notes.replaceChildren(...lines.map((line) => create('li', '', line)));
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);
+    this.summary.title = CHART_LIST.aboutSummary;
     this.table.show(report, colors);
     this.showLocks();
     this.pack.disabled = false;
@@ -64,6 +65,7 @@ export class ChartsTab {
   clear(): void {
     this.notes.hidden = true;
     this.summary.textContent = '';
+    this.summary.title = '';
     this.table.clear();
     this.pack.disabled = true;
   }

@@ -53,6 +53,11 @@ function ofAtlas(outcome: Unwrapped, areas: ChartAreas | null): Verdict {
   }
   const uneven = areas && unevenDensity(outcome, areas);
   if (uneven) return { badge: BADGES.uneven, reason: VERDICT.uneven(...uneven), remedy: 'pack' };
+  const beside = areas && unevenBesideKept(outcome, areas);
+  if (beside) {
+    const reason = VERDICT.unevenBesideKept(...beside);
+    return { badge: BADGES.uneven, reason, remedy: null };
+  }
   const stretched = stretchedCharts(result.report, settings.maxStretch);
   if (stretched.length === 0) {
     const reason = stacks ? VERDICT.stacked(stackedCharts(stacks)) : VERDICT.noOverlaps;
@@ -73,20 +78,50 @@ function ofAtlas(outcome: Unwrapped, areas: ChartAreas | null): Verdict {
  */
 function unevenDensity(
   { result, settings }: Unwrapped,
-  { flat, solid, asked }: ChartAreas,
+  areas: ChartAreas,
 ): [number, number] | null {
-  const { charts, atlas } = result.report;
+  const { charts } = result.report;
   if (!charts.some(({ solver, fixed }) => fixed && solver === 'known')) return null;
   const locked = new Set(settings.kept?.charts);
   const isLocked = (chart: number) => locked.has(chart) && settings.kept?.layout === result;
   const densities = charts.flatMap(({ solver, fixed }, i) => {
-    if ((fixed && solver !== 'known') || isLocked(i) || !(solid[i] > 0)) return [];
-    return (atlas.resolution * Math.sqrt(flat[i] / solid[i])) / asked[i];
+    return (fixed && solver !== 'known') || isLocked(i) ? [] : densityOf(result, areas, i);
   });
-  const low = densities.reduce((least, each) => Math.min(least, each), Infinity);
-  const high = densities.reduce((most, each) => Math.max(most, each), 0);
+  const [low, high] = rangeOf(densities);
   return high > MOST_UNEVEN * low ? [low, high] : null;
 }
+
+/**
+ * The least and the largest texel density, where a chart has another one than any that keeps the uv
+ * of the file; null where none does. Those may differ from each other.
+ */
+function unevenBesideKept(
+  { result, settings }: Unwrapped,
+  areas: ChartAreas,
+): [number, number] | null {
+  if (!settings.fixedFaces) return null;
+  const densities = (isKept: boolean) =>
+    result.report.charts.flatMap(({ solver }, i) =>
+      (solver === 'given') === isKept ? densityOf(result, areas, i) : [],
+    );
+  const [kept, others] = [rangeOf(densities(true)), rangeOf(densities(false))];
+  const isUneven = others[1] > MOST_UNEVEN * kept[1] || MOST_UNEVEN * others[0] < kept[0];
+  if (!isUneven || kept[1] === 0 || others[1] === 0) return null;
+  return [Math.min(kept[0], others[0]), Math.max(kept[1], others[1])];
+}
+
+/** As if no chart asked for more than another; none where there is no surface. */
+function densityOf({ report }: Unwrapped['result'], areas: ChartAreas, chart: number): number[] {
+  const { flat, solid, asked } = areas;
+  if (!(solid[chart] > 0)) return [];
+  return [(report.atlas.resolution * Math.sqrt(flat[chart] / solid[chart])) / asked[chart]];
+}
+
+/** The least and the largest. */
+const rangeOf = (densities: number[]): [number, number] => [
+  densities.reduce((least, each) => Math.min(least, each), Infinity),
+  densities.reduce((most, each) => Math.max(most, each), 0),
+];
 
 /** Leaves out charts whose shape the user asked to keep. */
 function stretchedCharts({ charts }: UnwrapReport, maxStretch: number) {
