@@ -181,4 +181,9 @@ test('cutting further adds automatic seams to those chosen, and can be taken bac
   assert.deepEqual(seamOptions(model.choice), { seams: 'auto', seamEdges: edges });
   model.restore(before);
   assert.deepEqual(seamOptions(model.choice), { seams: 'none', seamEdges: edges });
+  // Where seams are automatic already, those on screen are kept.
+  model.setSources({ auto: true, uv: false, material: false, sharp: null });
+  model.show(edges);
+  model.cutFurther();
+  assert.deepEqual(seamOptions(model.choice), { seams: 'auto', seamEdges: edges });
 });

@@ -33,15 +33,17 @@ export async function judged(result: UnwrapResult, runs: Runs): Promise<Judged> 
 }
 
 async function judgedApart(result: UnwrapResult, runs: Runs): Promise<Judged> {
-  const { stacks, repeated } = await runs.helpers.stacks(result);
-  const { atlas } = result.report;
+  const found = await runs.helpers.stacks(result);
+  const { atlas, charts } = result.report;
+  // Only the lowest chart need not have room for more digits.
+  const stacks = lowestFirst(found.stacks, (chart) => charts[chart].solver === 'given');
   const rows = Math.ceil(atlas.tiles / 10);
   const uv = stacks.length > 0 ? await runs.helpers.apart(result, stacks, rows) : null;
   if (!uv) return { result: await withOverlaps(result, result.uv, runs) };
-  const found = await inPlace({ ...result, uv }, runs);
-  const { tiles, utilization } = found.report.atlas;
-  const area = utilization * tiles - repeated;
-  const report = withVerdict(result, found, { ...atlas, utilization: area / atlas.tiles });
+  const placed = await inPlace({ ...result, uv }, runs);
+  const { tiles, utilization } = placed.report.atlas;
+  const area = utilization * tiles - found.repeated;
+  const report = withVerdict(result, placed, { ...atlas, utilization: area / atlas.tiles });
   return { result: await withOverlaps({ ...result, report }, uv, runs), stacks };
 }
 
@@ -119,9 +121,7 @@ export async function keepingStacks(
   // What is locked, or as in the file, stays, so the others come to it.
   const { charts } = earlier.result.report;
   const stays = (chart: number) => fixed.has(chart) || charts[chart].solver === 'given';
-  const ordered = stacks.map((stack) =>
-    [...stack].sort((a, b) => Number(stays(b)) - Number(stays(a))),
-  );
+  const ordered = lowestFirst(stacks, stays);
   const upper = new Set(ordered.flatMap(([, ...others]) => others));
   const fixedCharts = options.fixedCharts?.filter((chart) => !upper.has(chart));
   const faceDensities = smallIn(earlier, upper, options.faceDensities);
@@ -133,6 +133,9 @@ export async function keepingStacks(
   const placed = await judgedApart({ ...rest, uv }, runs);
   return placed.stacks ? withLocks(placed, earlier, fixed) : { result: await unwrap(options) };
 }
+
+const lowestFirst = (stacks: Stack[], isLowest: (chart: number) => boolean): Stack[] =>
+  stacks.map((stack) => [...stack].sort((a, b) => Number(isLowest(b)) - Number(isLowest(a))));
 
 /** Locked charts that lie on others have stayed with them. */
 function withLocks({ result, stacks }: Judged, earlier: Unwrapped, locked: Set<number>): Judged {
