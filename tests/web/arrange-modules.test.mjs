@@ -11,6 +11,14 @@ const areNear = (a, b) => {
   for (const [i, x] of a.entries()) isNear(x, b[i]);
 };
 
+test('an atlas of any size fits one tile as it is, but smaller', async () => {
+  const { inOneTile } = await load('mesh/in-one-tile');
+  const within = Float64Array.of(0, 0.25, 1, 0.5);
+  assert.deepEqual(inOneTile(within), within);
+  assert.deepEqual([...inOneTile(Float64Array.of(0.5, 0, 1, 2))], [0.25, 0, 0.5, 1]);
+  assert.deepEqual([...inOneTile(Float64Array.of(-0.5, 1, 2, 0.5))], [0.125, 0.25, 0.75, 0.125]);
+});
+
 test('motions keep their middle, follow each other, and are the same in the plane of the view', async () => {
   const { after, inPlane, moved, shifted, turned } = await load('arrange/motion');
   const next = randomNumbers(5);

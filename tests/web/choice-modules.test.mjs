@@ -54,6 +54,12 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   );
   // Automatic seams have already done what they can.
   assert.equal(verdictOf(atlas(1.04, 'auto,uv', [chart(2)])).remedy, null);
+  // But not where charts were only packed again, or moved.
+  const packed = atlas(1.04, 'auto', [chart(2)]);
+  packed.settings.placed = {};
+  assert.equal(verdictOf(packed).remedy, 'cut');
+  packed.settings.seamEdges = new Uint32Array();
+  assert.equal(verdictOf(packed).remedy, null);
   // Charts that the user keeps are not judged.
   assert.equal(badge(atlas(1.04, 'none', [chart(1.9, { solver: 'given' })])), 'Valid');
   assert.equal(badge(atlas(1.04, 'none', [chart(Number.NaN)])), 'Valid');
@@ -68,6 +74,41 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
     reason: '1 chart is not valid: it folds',
     remedy: null,
   });
+  const outside = 'it extends beyond its tile';
+  const over = 'it touches or overlaps the chart containing face 3 in the atlas';
+  const wrong = (problem, more) => chart(1, { valid: false, problem, ...more });
+  const moved = { solver: 'known', fixed: true };
+  const both = [wrong(`${outside}, and ${over}`, moved), wrong(over, moved), wrong(over, moved)];
+  assert.deepEqual(verdictOf(atlas(1.04, 'auto', both, false)), {
+    badge: 'Not valid',
+    reason: '1 chart outside its tile, 3 charts overlap',
+    remedy: 'pack',
+  });
+  // Packing helps neither those that stay, nor what folds.
+  const locked = { solver: 'given', fixed: true };
+  for (const charts of [[wrong(over, locked)], [wrong(over)], [...both, wrong('it folds', moved)]])
+    assert.equal(verdictOf(atlas(1.04, 'auto', charts, false)).remedy, null);
+});
+
+test('beside charts that keep the uv of the file, others of another texel density are uneven', async () => {
+  const { verdictOf } = await load('details/verdict');
+  const given = { solver: 'given', fixed: true };
+  /** `densities`: of two charts with uv of the file, then of a new one; all have the same area. */
+  const badge = (densities, fixedFaces = 'uv') => {
+    const outcome = atlas(1.04, 'auto', [chart(1, given), chart(1, given), chart(1)]);
+    outcome.settings.fixedFaces = fixedFaces;
+    outcome.result.report.atlas = { resolution: 100 };
+    const all = { solid: Float64Array.of(1, 1, 1), asked: Float64Array.of(1, 1, 1) };
+    const flat = Float64Array.from(densities, (each) => (each / 100) ** 2);
+    const { badge, reason, remedy } = verdictOf(outcome, { ...all, flat });
+    assert.equal(remedy, null);
+    return `${badge}: ${reason}`;
+  };
+  assert.equal(badge([20, 20, 60]), 'Uneven: Texel density 20.0 to 60.0: kept UVs keep theirs');
+  assert.equal(badge([20, 20, 10]), 'Uneven: Texel density 10.0 to 20.0: kept UVs keep theirs');
+  assert.match(badge([20, 20, 21]), /^Valid/);
+  assert.match(badge([20, 80, 60]), /^Valid/, 'those of the file are as they are');
+  assert.match(badge([20, 20, 60], null), /^Valid/, 'locked charts are meant to differ');
 });
 
 test('the badge of a mesh in one piece turns with its lengths', async () => {
@@ -104,6 +145,25 @@ test('faces are those of the file: polygons beside their triangles', async () =>
   assert.equal(facesText(mesh, { faces: 968 }), '968 triangles');
 });
 
+test('where charts are too large, the page says what to do on it', async () => {
+  const { failure } = await load('session/words');
+  const said = (text) => failure({ name: 'a.obj' }, { mode: 'unwrap' }, text);
+  assert.equal(
+    said(
+      'at 900 texels per unit chart 874 does not fit a tile of 1024 texels. Lower the density to 55.7, or raise the resolution to 16833',
+    ),
+    'a.obj was not unwrapped: at 900 texels per unit, one chart does not fit a tile of 1,024\u202fpx. Set Texel density, under More, to auto or to at most 55.7.',
+    'no such resolution is offered',
+  );
+  assert.equal(
+    said(
+      'at 90 texels per unit the charts do not fit one tile of 1024 texels. Lower the density to 55.7, raise the resolution to 1683, or allow several tiles',
+    ),
+    'a.obj was not unwrapped: at 90 texels per unit, the charts do not fit one tile of 1,024\u202fpx. Set Texel density, under More, to auto or to at most 55.7, choose a resolution of 2,048\u202fpx, or switch on UDIM tiles.',
+  );
+  assert.equal(said('ran out of memory'), 'a.obj was not unwrapped: ran out of memory.');
+});
+
 test('cutting further adds automatic seams to those chosen, and can be taken back', async () => {
   const { SeamModel } = await load('seams/seam-model');
   const { seamOptions } = await load('seams/seam-choice');
@@ -121,4 +181,9 @@ test('cutting further adds automatic seams to those chosen, and can be taken bac
   assert.deepEqual(seamOptions(model.choice), { seams: 'auto', seamEdges: edges });
   model.restore(before);
   assert.deepEqual(seamOptions(model.choice), { seams: 'none', seamEdges: edges });
+  // Where seams are automatic already, those on screen are kept.
+  model.setSources({ auto: true, uv: false, material: false, sharp: null });
+  model.show(edges);
+  model.cutFurther();
+  assert.deepEqual(seamOptions(model.choice), { seams: 'auto', seamEdges: edges });
 });

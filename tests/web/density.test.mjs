@@ -111,6 +111,22 @@ test('a chart that is scaled keeps its size beside the others, until densities a
   isNear(densityOf(await atlas(page), FACES), 1);
 });
 
+test('a chart that grows beyond the tile and over others is said to do both, and one click packs it', async (t) => {
+  const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
+  const before = await atlas(page);
+  await select(page, before, 0);
+  await setDensity(page, '2.5');
+  assert.equal(await textOf(page, '#reason'), '1 chart outside its tile, 2 charts overlap');
+  assert.equal(await textOf(page, '#remedy'), 'Repack');
+  await page.click('#remedy');
+  await settled(page);
+  assert.match(await textOf(page, '#run-text'), /^Repacked in/);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  const packed = await atlas(page);
+  isNear(densityOf(packed, 0), 2.5);
+  assert.deepEqual(packed.ofFace, before.ofFace, 'the same charts');
+});
+
 test('what is no density is not taken, and Escape takes back what is typed', async (t) => {
   const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
   await select(page, await atlas(page), 0);

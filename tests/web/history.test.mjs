@@ -134,6 +134,50 @@ test('a lock, the kind of layout and t are undone as well', async (t) => {
   assert.ok(await page.isDisabled('#undo'));
 });
 
+test('each kind of layout is as it was left, without a run, until something else is wanted of it', async (t) => {
+  const page = await openPage(t);
+  const undo = async () => {
+    await page.click('#undo');
+    await settled(page);
+  };
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('a');
+  await page.keyboard.press('s');
+  await page.keyboard.type('.5');
+  await page.keyboard.press('Enter');
+  await settled(page);
+  const arranged = await exported(page);
+  await page.click('#mode-flatten');
+  await settled(page);
+  await page.fill('#t-number', '1.25');
+  await settled(page);
+  assert.match(await textOf(page, '#run-text'), /^Flattened in/);
+  const flat = await exported(page);
+  await page.click('#mode-unwrap');
+  await settled(page);
+  assert.equal(await textOf(page, '#run-text'), 'This layout is as you left it');
+  assert.equal(await exported(page), arranged);
+  assert.ok(await page.isEnabled('#seam-cut'));
+  await page.click('#mode-flatten');
+  await settled(page);
+  assert.equal(await textOf(page, '#run-text'), 'This layout is as you left it');
+  assert.equal(await exported(page), flat);
+  await undo();
+  assert.equal(await exported(page), arranged);
+  // Other settings need a run, after which the arrangement is gone.
+  await page.selectOption('#resolution', '512');
+  await settled(page);
+  const other = await exported(page);
+  assert.notEqual(other, arranged);
+  await page.click('#mode-flatten');
+  await settled(page);
+  await page.click('#mode-unwrap');
+  await settled(page);
+  assert.equal(await exported(page), other);
+  for (let i = 0; i < 3; ++i) await undo();
+  assert.equal(await exported(page), arranged);
+});
+
 test('undo during a run shows what was there before', async (t) => {
   const page = await openPage(t, { open: ['ball.obj', objText(sphere(60))] });
   const before = await exported(page);

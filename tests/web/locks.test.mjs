@@ -70,6 +70,16 @@ test('a locked chart stays bit by bit until it is unlocked', async (t) => {
   assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 0);
   await page.click('#pack-again');
   await settled(page);
+  const packed = await atlas(page);
+  const ofLargest = [...chartOf.keys()].filter((f) => chartOf[f] === largest);
+  assert.ok(!ofLargest.every((f) => isSame(packed, f)), 'it moves');
+  const { ofFace } = chartsOf(packed.obj);
+  assert.equal(new Set(ofLargest.map((f) => ofFace[f])).size, 1, 'but is cut no further');
+  // Only another layout cuts it as the options say.
+  await page.focus('#stretch');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Home');
+  await settled(page);
   const path = tempFolder(t);
   writeFileSync(path('in.obj'), BOTH);
   const { code, stderr } = await runAbflat([
@@ -96,6 +106,57 @@ test('locks belong to one mesh', async (t) => {
     assert.match(await button.getAttribute('aria-label'), /^Lock chart \d+$/);
 });
 
+/** Squares in a row; all but the last have uv, a quarter as wide as the tile. */
+const ROW = [0, 1, 2]
+  .flatMap((i) => [
+    ...[0, 2].flatMap((y) => [`v ${3 * i} ${y} 0`, `v ${3 * i + 2} ${y} 0`]),
+    ...(i < 2
+      ? [0.25, 0.5].flatMap((v) => [`vt ${0.4 * i} ${v}`, `vt ${0.4 * i + 0.25} ${v}`])
+      : []),
+    `f ${[1, 2, 4, 3].map((k) => `${4 * i + k}${i < 2 ? `/${4 * i + k}` : ''}`).join(' ')}`,
+  ])
+  .join('\n');
+
+test('charts that keep the uv of the file are locked: nothing is said to move them', async (t) => {
+  const page = await openPage(t, { open: ['row.obj', ROW] });
+  await page.click('#more-toggle');
+  await page.click('#more-keep-uv');
+  await settled(page);
+  const before = await atlas(page);
+  const undone = await page.getAttribute('#undo', 'title');
+  await page.click('#details-toggle');
+  assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 2);
+  assert.equal(await textOf(page, '#locks-summary'), '2 charts keep their UVs');
+  const first = page.locator('.lock[aria-pressed="true"]').first();
+  await first.focus();
+  await page.keyboard.press('Enter');
+  assert.match(await textOf(page, '#run-text'), /^Kept UVs stay in place; switch Keep UVs off/);
+  assert.equal(await first.getAttribute('aria-pressed'), 'true');
+  await page.click(`tr[data-chart="${await first.getAttribute('data-chart')}"] .chart-name`);
+  assert.ok(await page.isHidden('#selection-density'));
+  for (const how of ['scale', 'left', 'stacked']) {
+    await page.click('#selection-arrange');
+    await page.click(`#arrange-menu [data-value="${how}"]`);
+    await settled(page);
+    assert.match(await textOf(page, '#run-text'), /^Kept UVs stay in place; switch Keep UVs off/);
+  }
+  assert.equal(await page.getAttribute('#undo', 'title'), undone, 'no step to undo');
+  assert.equal((await atlas(page)).text, before.text);
+
+  // Of all charts, the one that is new moves.
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('a');
+  await page.keyboard.press('s');
+  await page.keyboard.type('.5');
+  await page.keyboard.press('Enter');
+  await settled(page);
+  assert.match(await textOf(page, '#run-text'), /^Scaled chart \d+, checked in/);
+  const after = await atlas(page);
+  const width = (face) => Math.max(...face.map(([u]) => u)) - Math.min(...face.map(([u]) => u));
+  assert.deepEqual(after.uv.slice(0, 2), before.uv.slice(0, 2));
+  assert.ok(Math.abs(width(after.uv[2]) / width(before.uv[2]) - 0.5) < 1e-3);
+});
+
 test('what is locked while a run is under way is kept by the next one', async () => {
   const { Locks } = await loadModule('details/locks');
   /** A result with one triangle per chart, or as many as `chartOfTriangle` says. */
@@ -105,7 +166,8 @@ test('what is locked while a run is under way is kept by the next one', async ()
   });
   const locks = new Locks();
   const first = result([false, false, false]);
-  const shown = (result, kept) => locks.show({ result, settings: { kept } });
+  const shown = (result, kept, fixedFaces) =>
+    locks.show({ result, settings: { kept, fixedFaces } });
   shown(first, locks.kept);
   assert.deepEqual([...locks.kept.charts], []);
   locks.toggle(2);
@@ -131,6 +193,17 @@ test('what is locked while a run is under way is kept by the next one', async ()
   locks.toggle(1);
   locks.toggle(2);
   assert.deepEqual([...locks.charts], []);
+  // With Keep UVs, such a chart stays as well.
+  const fifth = result([true, true, false]);
+  for (const chart of fifth.report.charts) chart.solver = chart.fixed ? 'given' : 'activeSet';
+  locks.toggle(1);
+  shown(fifth, locks.kept, 'uv');
+  assert.deepEqual([...locks.charts], [0]);
+  assert.deepEqual([...locks.keptUvs], [1]);
+  assert.deepEqual([...locks.staying].sort(), [0, 1]);
+  locks.toggle(1);
+  assert.deepEqual([...locks.charts], [0], 'it has no lock of its own');
   locks.clear();
   assert.equal(locks.kept, undefined);
+  assert.deepEqual([...locks.staying], []);
 });

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
-import { dropAndWait, dropFiles, openPage, textOf } from './page.mjs';
+import { dropAndWait, dropFiles, openPage, settled, textOf } from './page.mjs';
 
 const LACKING = ['square.obj', `mtllib square.mtl\nusemtl wood\n${grid(3)}`];
 
@@ -59,4 +59,79 @@ test('what went wrong stays, and so does a notice that asks', async (t) => {
   await says(page, 'alert');
   await muchLater(page);
   assert.match(await textOf(page, '#alert'), /^empty\.obj is empty\./);
+});
+
+const TWO = { 'one.obj': grid(3), 'two.obj': grid(4) };
+const shown = (page) =>
+  page.evaluate(() =>
+    ['alert', 'notice'].map((id) => document.getElementById(id).textContent !== ''),
+  );
+
+test('Escape closes the newest message, before it leaves a tool or selects nothing', async (t) => {
+  const page = await openPage(t);
+  await dropFiles(page, TWO);
+  await says(page, 'notice');
+  await settled(page);
+  await dropFiles(page, { 'thing.xyz': 'no mesh' });
+  await says(page, 'alert');
+  await settled(page);
+  assert.deepEqual(await shown(page), [true, true]);
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('a');
+  await page.focus('#mesh-canvas');
+  for (const left of [
+    [false, true],
+    [false, false],
+  ]) {
+    await page.keyboard.press('Escape');
+    assert.deepEqual(await shown(page), left);
+    assert.equal(await page.getAttribute('#seam-cut', 'aria-pressed'), 'true');
+    assert.ok(await page.isVisible('#selection'));
+  }
+  await page.keyboard.press('Escape');
+  assert.equal(await page.getAttribute('#seam-cut', 'aria-pressed'), 'false');
+});
+
+test('a question goes once the user works on, an error once something goes well', async (t) => {
+  const page = await openPage(t);
+  await dropFiles(page, TWO);
+  await says(page, 'notice');
+  await settled(page);
+  assert.deepEqual(await shown(page), [false, true]);
+  await page.selectOption('#resolution', '512');
+  await settled(page);
+  assert.deepEqual(await shown(page), [false, false]);
+  await dropFiles(page, { 'thing.xyz': 'no mesh' });
+  await says(page, 'alert');
+  await Promise.all([page.waitForEvent('download'), page.click('#export')]);
+  await page.waitForFunction(() =>
+    /^Exported/.test(document.getElementById('run-text').textContent),
+  );
+  assert.deepEqual(await shown(page), [false, false]);
+});
+
+test('if the first of several meshes fails, the question of the others is in view beside that', async (t) => {
+  const page = await openPage(t);
+  await page.click('#more-toggle');
+  await page.fill('#more-texel-density', '9000');
+  await page.press('#more-texel-density', 'Enter');
+  await settled(page);
+  await dropFiles(page, TWO);
+  await says(page, 'notice');
+  await settled(page);
+  assert.match(
+    await textOf(page, '#alert'),
+    /^one\.obj was not unwrapped: .*\bSet Texel density, under More/,
+  );
+  // At its corners, nothing covers either, not even the options.
+  for (const id of ['alert', 'notice']) {
+    const isInView = await page.locator(`#${id}`).evaluate((box) => {
+      const { left, right, top, bottom } = box.getBoundingClientRect();
+      const at = (x, y) => box.contains(document.elementFromPoint(x, y));
+      return [left + 8, right - 8].every((x) => [top + 8, bottom - 8].every((y) => at(x, y)));
+    });
+    assert.ok(isInView, id);
+  }
+  await page.getByRole('button', { name: 'Open as tabs' }).click();
+  assert.equal(await page.locator('#mesh-tabs [role="tab"]').count(), 2);
 });

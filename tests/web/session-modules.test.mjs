@@ -24,7 +24,8 @@ function fakeAbflat() {
     load: (file, options) => call('load', { name: file.name }, options),
     inspect: async () => ({ disk: { ok: true, code: 'Ok', message: '' } }),
     flatten: (_, { t, delaunay, ...options }) => call('flatten', { t, delaunay }, options),
-    unwrap: (_, { maxStretch, obj, ...options }) => call('unwrap', { maxStretch, obj }, options),
+    unwrap: (_, { signal, onProgress, ...options }) =>
+      call('unwrap', options, { signal, onProgress }),
   };
 }
 
@@ -301,6 +302,39 @@ test('session: an atlas is asked for with its own options, in the format of the 
   calls[2].resolve({});
   await rest();
   assert.match(log.at(-1), /^unwrap head/);
+});
+
+test('session: charts that are packed again are cut nowhere else, and may move', async (t) => {
+  const { openHead, ask, calls, rest } = await startSession(t);
+  await openHead();
+  calls[1].resolve({});
+  await rest();
+  const usual = { mode: 'unwrap', seams: 'auto', maxStretch: 1.1 };
+  ask(usual);
+  await rest();
+  const result = { report: { charts: [{}], valid: true }, seams: Uint32Array.of(3, 4) };
+  calls[2].resolve(result);
+  await rest();
+  const placed = { ...result, repacks: true };
+  const lock = { kept: { layout: result, charts: Uint32Array.of(0) } };
+  for (const [wish, expected] of [
+    [{ placed }, { known: placed, seams: 'none', seamEdges: result.seams, keepsPlaces: false }],
+    // Another option lays out anew.
+    [{ maxStretch: 1.2 }, { known: result, seams: 'auto', keepsPlaces: false }],
+    [
+      { ...lock, placed: { ...placed } },
+      { known: result, fixedCharts: lock.kept.charts, seams: 'none', keepsPlaces: false },
+    ],
+    // What was moved stays.
+    [{ placed: { ...result } }, { seams: 'none', seamEdges: result.seams, keepsPlaces: true }],
+  ]) {
+    ask({ ...usual, ...wish });
+    await rest();
+    for (const [name, value] of Object.entries(expected))
+      assert.deepEqual(calls.at(-1)[name], value, name);
+    calls.at(-1).resolve(result);
+    await rest();
+  }
 });
 
 test('session: when abflat cannot start, that is what a mesh fails with', async () => {

@@ -124,6 +124,42 @@ test('stacked charts are valid, stay stacked when all is packed again, and are e
   assert.match(await textOf(page, '#reason'), /^\d charts overlap$/);
 });
 
+/** The second square has uv, where the vertices of a square are numbered from 10. */
+const PAINTED = MESH.split('\n')
+  .map((line) => {
+    const vertices = /^f /.test(line) ? line.split(' ').slice(1).map(Number) : [];
+    const isPainted = vertices.length > 0 && vertices.every((v) => v >= 10 && v < 19);
+    return isPainted ? `f ${vertices.map((v) => `${v}/${v - 9}`).join(' ')}` : line;
+  })
+  .concat(SQUARE.positions.map(([x, y]) => `vt ${0.1 + 0.15 * x} ${0.5 + 0.15 * y}`))
+  .join('\n');
+
+test('charts are stacked on one that keeps the uv of the file, which stays when all is packed again', async (t) => {
+  const page = await openPage(t, { ...SMALL, mode: 'unwrap', open: ['painted.obj', PAINTED] });
+  await page.click('#more-toggle');
+  await page.click('#more-keep-uv');
+  await settled(page);
+  await page.click('#more-toggle');
+  const before = await atlas(page);
+  await page.keyboard.press('a');
+  await arrange(page, 'stacked');
+  for (const pack of [() => undefined, () => packAgain(page)]) {
+    await pack();
+    const after = await atlas(page);
+    areStacked(after);
+    assert.deepEqual(
+      after.uv.slice(FACES, 2 * FACES).map((face) => face.map((at) => at.map(Math.fround))),
+      before.uv.slice(FACES, 2 * FACES).map((face) => face.map((at) => at.map(Math.fround))),
+    );
+    await isValid(page);
+  }
+  // A stack whose charts are to have their own uv again is given up.
+  await page.click('#more-toggle');
+  await page.click('#more-keep-uv');
+  await settled(page);
+  assert.match(await textOf(page, '#run-text'), /; 3 charts no longer stacked$/);
+});
+
 test('charts of different shapes are not stacked, and that is said', async (t) => {
   const page = await openPage(t, {
     ...SMALL,

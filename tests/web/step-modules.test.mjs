@@ -39,6 +39,21 @@ test('undo and redo go through the steps, and a change drops those that were und
   assert.deepEqual(texts(steps), ['Open another']);
 });
 
+test('the last result of some settings is found, unless it was undone', async (t) => {
+  const { steps } = await stepsFor(t);
+  const [first, later] = [result(atlas()), result(atlas())];
+  assert.equal(steps.resultOf(atlas()), null, 'there is none yet');
+  steps.settle(first);
+  steps.change({ mode: 'flatten', t: 1 });
+  assert.equal(steps.resultOf(atlas()), first);
+  assert.equal(steps.resultOf(atlas({ padding: 4 })), null);
+  steps.change(atlas());
+  steps.settle(later);
+  assert.equal(steps.resultOf(atlas()), later);
+  steps.go(1);
+  assert.equal(steps.resultOf(atlas()), first);
+});
+
 test('what comes from a slider in quick succession is one step', async (t) => {
   const { steps, clock } = await stepsFor(t);
   const drag = (maxStretch) => steps.change(atlas({ maxStretch }));
@@ -112,7 +127,7 @@ test('changes are named by what differs', async () => {
   const named = (some) => changeBetween(atlas(), atlas(some)).text;
   assert.equal(named({ seams: 'auto,sharp=60' }), 'Seams: auto, sharp=60');
   assert.equal(named({ seamEdges: Uint32Array.of(0, 1, 1, 2) }), 'Seams of 2 edges');
-  assert.equal(named({ fixedFaces: 'uv' }), 'UVs of the file kept');
+  assert.equal(named({ fixedFaces: 'uv' }), 'Keep UVs of the file');
   assert.equal(named({ rotate: false }), 'Rotation off');
   assert.equal(named({ texelDensity: 3 }), 'Texel density 3');
   assert.equal(named({ fillHoles: 'never' }), 'Fill holes never');
@@ -124,11 +139,13 @@ test('changes are named by what differs', async () => {
 });
 
 test('only seams have changed if all else is the same', async () => {
-  const { sameButSeams, sameSettings } = await load('model/settings');
+  const { isMadeByHand, sameButSeams, sameSettings } = await load('model/settings');
   const edges = Uint32Array.of(0, 1);
   assert.ok(sameButSeams(atlas({ seams: 'auto' }), atlas({ seams: 'none', seamEdges: edges })));
   assert.ok(!sameButSeams(atlas(), atlas({ padding: 3, seamEdges: edges })));
   assert.ok(sameSettings(atlas({ seamEdges: undefined }), atlas()));
   assert.ok(sameSettings(atlas({ kept: {} }), atlas()), 'locks are no reason to lay out again');
   assert.ok(!sameSettings(atlas({ placed: {} }), atlas({ placed: {} })));
+  assert.ok(isMadeByHand(atlas({ placed: {} })));
+  assert.ok(!isMadeByHand(atlas({ placed: { repacks: true } })), 'packing is not by hand');
 });

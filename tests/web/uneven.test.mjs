@@ -94,3 +94,26 @@ test('a chart that found too little room is said to be uneven, and one click men
   assert.ok(Math.max(...packed) < 1.01 * Math.min(...packed));
   await isMeasured(page);
 });
+
+test('a new chart that finds too little room beside kept UVs is said to be uneven', async (t) => {
+  const squares = [0, 2].flatMap((x) => [
+    `v ${x} 0 0`,
+    `v ${x + 1} 0 0`,
+    `v ${x + 1} 1 0`,
+    `v ${x} 1 0`,
+  ]);
+  const uv = ['vt 0 0', 'vt 0.9 0', 'vt 0.9 0.9', 'vt 0 0.9'];
+  const faces = ['f 1/1 2/2 3/3 4/4', 'f 5 6 7 8'];
+  const text = [...squares, ...uv, ...faces].join('\n');
+  const page = await openPage(t, { webgl: false, mode: 'unwrap', open: ['half.obj', text] });
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  await page.click('#more-toggle');
+  await page.click('#more-keep-uv');
+  await settled(page);
+  assert.equal(await textOf(page, '#badge'), 'Uneven');
+  assert.match(
+    await textOf(page, '#reason'),
+    /^Texel density [\d.]+ to 922: kept UVs keep theirs$/,
+  );
+  assert.ok(await page.isHidden('#remedy'), 'packing again would find no more room');
+});

@@ -8,7 +8,8 @@ import { loadModule } from './modules.mjs';
 const { settingsOf, textOf, usualSettings } = await loadModule('settings-text');
 const { fitting } = await loadModule('settings-link');
 const { visitOf, settingsAskedFor } = await loadModule('visit-record');
-const { STRETCHES, RESOLUTIONS } = await loadModule('controls/atlas-control');
+const { STRETCHES } = await loadModule('controls/atlas-control');
+const { RESOLUTIONS } = await loadModule('model/settings');
 
 const SEAMS = ['auto', 'none', 'uv', 'material', 'sharp=60', 'auto,uv,material,sharp=0.125'];
 

@@ -157,6 +157,11 @@ export class App implements SessionEvents {
 
   /** The user wants something else. */
   private changed(what?: string): void {
+    this.noteChange(what);
+    this.session.refresh();
+  }
+
+  private noteChange(what?: string): void {
     const { settings } = this.wishes;
     this.said = what ?? '';
     this.visit.changed();
@@ -164,7 +169,6 @@ export class App implements SessionEvents {
     this.noteWork();
     this.result.use(settings);
     this.tools?.update();
-    this.session.refresh();
   }
 
   /** There may be work by hand on the mesh on screen that no file has. */
@@ -173,11 +177,14 @@ export class App implements SessionEvents {
     if (shown) this.unsaved.want(shown, this.wishes.both);
   }
 
-  /** Switches the page to the other kind of layout. */
+  /** Switches the page to the other kind of layout, as it was left unless something else is wanted of it. */
   private modeChanged(): void {
     this.leaveMode();
     this.showMode();
-    this.changed();
+    const outcome = this.history.resultOf(this.wishes.settings);
+    this.noteChange();
+    if (outcome?.source === this.meshes.shown) this.showAgain(outcome, RUN.asLeft);
+    else this.session.refresh();
   }
 
   private leaveMode(): void {
@@ -195,7 +202,7 @@ export class App implements SessionEvents {
 
   private remedy(remedy: Remedy): void {
     if (remedy === 'unwrap') this.wishes.mode.choose('unwrap');
-    else if (remedy === 'pack') this.wishes.packAgain();
+    else if (remedy === 'pack') this.result.packAgain();
     else this.seams.cutFurther();
   }
 
@@ -221,10 +228,12 @@ export class App implements SessionEvents {
     this.result.use(settings);
     this.said = said;
     this.say(said);
-    if (!outcome) {
-      this.session.refresh();
-      return;
-    }
+    if (outcome) this.showAgain(outcome, said);
+    else this.session.refresh();
+  }
+
+  private showAgain(outcome: Outcome, said: string): void {
+    this.said = said;
     document.body.setAttribute('aria-busy', 'true');
     void this.session.restore(outcome);
   }
@@ -302,7 +311,8 @@ export class App implements SessionEvents {
     const { badge } = verdictOf(outcome, drawing.areas);
     const but = badge === BADGES.valid ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
-    const { done } = LAYING_OUT[outcome.mode];
+    const isRepacked = this.said === CHANGES.packedAgain;
+    const done = isRepacked ? this.said : LAYING_OUT[outcome.mode].done;
     const what = isOnlyPlaced(outcome)
       ? RUN.checked(this.said, time) + but
       : RUN.laidOut(done, time) + but + kept(outcome);
@@ -317,6 +327,7 @@ export class App implements SessionEvents {
 
   private show(outcome: Outcome, drawing: FlatDrawing): void {
     hideAlert();
+    if (this.result.outcome) this.meshes.overtake();
     this.history.settle(outcome);
     this.result.show(outcome, drawing);
     this.tools?.show(outcome);

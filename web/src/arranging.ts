@@ -4,17 +4,17 @@ import type { Unwrapped } from './model/model';
 import type { UnwrapSettings } from './model/settings';
 import { type Change, Placement, type PlacementEvents } from './placement';
 import { PinTool } from './selection/pin-tool';
-import { SelectionPanel } from './selection/selection-panel';
+import { type SelectionEvents, SelectionPanel } from './selection/selection-panel';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 
-export interface ArrangingEvents extends PlacementEvents {
+export interface ArrangingEvents
+  extends PlacementEvents,
+    Pick<SelectionEvents, 'staying' | 'keptUvs'> {
   /** Whether a click on the mesh is free to select: no seam tool takes it. */
   isFree(): boolean;
   /** Other charts are selected. */
   selected(charts: ReadonlySet<number>): void;
-  /** The locked charts of the atlas on screen. */
-  locked(): ReadonlySet<number>;
   /** How a layout follows the first of some pinned vertices. */
   weights(layout: ChartMesh, pins: number[]): Promise<Float64Array>;
   /** Other vertices are pinned; `what` was done. */
@@ -44,7 +44,8 @@ export class Arranging {
     });
     this.pins = new PinTool(views, {
       layout: () => this.placement.current,
-      locked: () => events.locked(),
+      staying: () => events.staying(),
+      keptUvs: () => events.keptUvs(),
       hidden: () => this.selection.hidden,
       chart: (outcome, chart) => workshop.chart(outcome, chart),
       weights: (layout, pins) => events.weights(layout, pins),
@@ -55,7 +56,8 @@ export class Arranging {
     this.selection = new SelectionPanel(views, this.pins, {
       isFree: () => events.isFree(),
       changed: (selected) => events.selected(selected),
-      locked: () => events.locked(),
+      staying: () => events.staying(),
+      keptUvs: () => events.keptUvs(),
       densityOf: (face) => this.placement.current?.settings.faceDensities?.[face] ?? 1,
       arranged: (arranged, what) =>
         place(async (outcome) => {

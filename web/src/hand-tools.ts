@@ -30,7 +30,8 @@ export class HandTools {
   ) {
     this.arranging = new Arranging(views, workshop, {
       ...events,
-      locked: () => wishes.locks.charts,
+      staying: () => wishes.locks.staying,
+      keptUvs: () => wishes.locks.keptUvs,
       weights: (layout, pins) => this.weights(layout, pins),
       pinned: (pins, what) => {
         wishes.pin(pins);

@@ -94,6 +94,11 @@ export class Meshes {
     for (const remark of remarks) this.notice.add(remark);
   }
 
+  /** The mesh has another layout than its first one. */
+  overtake(): void {
+    this.notice.overtake();
+  }
+
   /** Leaves out a sample that was chosen but could not be read, or was cancelled. */
   showOpenSample(): void {
     showSample(this.source?.kind === 'sample' ? this.source.name : null);

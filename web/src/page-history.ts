@@ -42,6 +42,11 @@ export class PageHistory {
     this.steps.settle(outcome);
   }
 
+  /** What came last of these settings; null if nothing that is still there. */
+  resultOf(settings: Settings): Outcome | null {
+    return this.steps.resultOf(settings);
+  }
+
   /** Undoes or repeats all between the current step and another one. */
   private goTo(to: number): void {
     const { all, current } = this.steps;

@@ -62,7 +62,8 @@ export class ResultPanels {
     this.charts = new ChartsTab(views, wishes.locks, {
       chosen: (chart) => events.chosen(chart),
       locked: (what) => events.locked(what),
-      packAgain: () => wishes.packAgain(),
+      packAgain: () => this.packAgain(),
+      say: (text) => events.say(text),
     });
     this.sweep = new SweepTab(
       (t, signal) =>
@@ -149,6 +150,11 @@ export class ResultPanels {
     this.copyReport.show(outcome);
     this.showDetails(outcome, drawing);
     this.markStale(outcome.settings);
+  }
+
+  packAgain(): void {
+    const { outcome } = this;
+    if (outcome?.mode === 'unwrap') this.wishes.packAgain(outcome);
   }
 
   showSelected(charts: ReadonlySet<number>): void {

@@ -1,4 +1,4 @@
-import { showAlert } from './base/alert';
+import { hideAlert, showAlert } from './base/alert';
 import { SAVING } from './base/english';
 import { loadPart } from './base/load-part';
 import { TexcoordChoice } from './controls/texcoord-choice';
@@ -45,11 +45,15 @@ export class Saving {
     const { say } = events;
     this.exporter = new Exporter(session, workshop, {
       say,
-      exported: ({ outcome }) => events.exported(outcome),
+      exported: ({ outcome }) => {
+        hideAlert();
+        events.exported(outcome);
+      },
       failed: ({ outcome }, error) => this.notSaved(outcome, error),
     });
     this.bar = new LayoutBar(workshop, {
       say,
+      saved: (what) => this.saved(what),
       failed: (outcome, error) => this.notSaved(outcome, error),
     });
   }
@@ -120,7 +124,15 @@ export class Saving {
     else
       loadPart(import('./export/views-picture'))
         .then(({ savePicture }) => savePicture(views, shown.name))
-        .then(this.events.say, (error: Error) => this.notSaved(outcome, error));
+        .then(
+          (what) => this.saved(what),
+          (error: Error) => this.notSaved(outcome, error),
+        );
+  }
+
+  private saved(what: string): void {
+    hideAlert();
+    this.events.say(what);
   }
 
   private notSaved({ source, settings }: Outcome, { message }: Error): void {

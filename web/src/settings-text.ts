@@ -2,12 +2,12 @@
 // differs from the defaults is named.
 
 import { FLATTEN_DEFAULTS, FLATTEN_OPTIONS, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
-import { RESOLUTIONS, STRETCHES } from './controls/atlas-control';
+import { STRETCHES } from './controls/atlas-control';
 import { BALANCE_STEP } from './controls/balance-control';
 import { BOUND_RULE } from './controls/bound-control';
 import { fits, type NumberRule } from './controls/number-field';
 import { defaultOptions, MORE } from './model/more-options';
-import type { Mode, Settings } from './model/settings';
+import { type Mode, RESOLUTIONS, type Settings } from './model/settings';
 import { choiceOf, seamWords } from './seams/seam-choice';
 
 type Values = Record<string, unknown>;

@@ -7,7 +7,14 @@ import { BoundControl } from './controls/bound-control';
 import { ModeSwitch } from './controls/mode-switch';
 import { Locks } from './details/locks';
 import { isAutomatic } from './details/verdict';
-import type { FlattenSettings, Marks, Settings, UnwrapSettings } from './model/settings';
+import type { Unwrapped } from './model/model';
+import {
+  type FlattenSettings,
+  type Marks,
+  type Settings,
+  sameSettings,
+  type UnwrapSettings,
+} from './model/settings';
 import type { Editable, SeamPanel } from './seams/seam-panel';
 
 export interface WishEvents {
@@ -34,14 +41,14 @@ export class Wishes {
     private readonly seams: SeamPanel,
     private readonly events: WishEvents,
   ) {
-    const changed = () => this.changed();
+    const changed = () => events.changed();
     this.bound = new BoundControl(changed, events.say);
     this.balance = new BalanceControl('flatten', changed);
-    this.options = new AtlasControl(changed, events.say);
-    this.mode = new ModeSwitch(() => {
+    this.options = new AtlasControl(() => {
       this.placed = undefined;
-      events.modeChanged();
-    });
+      changed();
+    }, events.say);
+    this.mode = new ModeSwitch(() => events.modeChanged());
     this.delaunay.addEventListener('click', () => {
       this.setDelaunay(!this.isDelaunay);
       changed();
@@ -118,9 +125,10 @@ export class Wishes {
     this.events.changed(what);
   }
 
-  /** All charts that are not locked are to be packed again. */
-  packAgain(): void {
-    this.placed = undefined;
+  /** All charts of this atlas that are not locked are to be packed again. */
+  packAgain({ result, settings }: Unwrapped): void {
+    // What is asked for besides comes first.
+    this.placed = sameSettings(settings, this.settings) ? { ...result, repacks: true } : undefined;
     this.events.changed(CHANGES.packedAgain);
   }
 
@@ -141,11 +149,6 @@ export class Wishes {
     this.seams.restore(settings);
     this.locks.restore(settings.kept);
     this.showCutting();
-  }
-
-  private changed(): void {
-    this.placed = undefined;
-    this.events.changed();
   }
 
   private showCutting(): void {

@@ -11,8 +11,8 @@ import {
 import { type Motion, moved, type Point } from './motion';
 
 /**
- * Finds the stacks of an atlas. Outlines are compared bit by bit: charts that merely overlap are no
- * stack.
+ * Finds the stacks of an atlas. Outlines are compared bit by bit in single precision, to which moved
+ * charts are rounded: charts that merely overlap are no stack.
  */
 export function stacksOf(arrays: ChartArrays): Stacks {
   const charts = Uint32Array.from([...new Set(arrays.chartOfTriangle)].filter(isChart)).sort();
@@ -23,7 +23,7 @@ export function stacksOf(arrays: ChartArrays): Stacks {
   const stacks = sameBox.flatMap((some) =>
     grouped(some, (chart) =>
       outlineOf(arrays, own(chart))
-        .map(([from, to]) => `${pointOf(arrays.uv, from)} ${pointOf(arrays.uv, to)}`)
+        .map(([from, to]) => `${rounded(arrays, from)} ${rounded(arrays, to)}`)
         .sort()
         .join(),
     ),
@@ -36,7 +36,7 @@ export function stacksOf(arrays: ChartArrays): Stacks {
   return { stacks, repeated };
 }
 
-const nameOf = ({ low, high }: Box) => `${low} ${high}`;
+const nameOf = ({ low, high }: Box) => [...low, ...high].map(Math.fround).join();
 
 /** Those with the same name, where there are several. */
 function grouped(charts: Iterable<number>, name: (chart: number) => string): number[][] {

@@ -1,9 +1,10 @@
 import { create, element } from './dom';
 import { ALERT } from './english';
+import { messageHidden, messageShown } from './messages';
 
 const box = element('alert', HTMLElement);
 
-/** Shows a sentence about what went wrong, until it is closed or `hideAlert` is called. */
+/** Shows a sentence about what went wrong, until it is closed, by Escape too, or `hideAlert` is called. */
 export function showAlert(sentence: string, detail = ''): void {
   const close = create('button', 'alert-close', '×');
   close.type = 'button';
@@ -13,8 +14,11 @@ export function showAlert(sentence: string, detail = ''): void {
   text.append(create('p', '', sentence));
   if (detail) text.append(create('p', 'alert-detail', detail));
   box.replaceChildren(text, close);
+  messageShown(box, hideAlert);
 }
 
+/** It is read, or something else has gone well since. */
 export function hideAlert(): void {
+  messageHidden(box);
   box.replaceChildren();
 }

@@ -280,7 +280,7 @@ export const OPTION_LABELS = {
 export const OPTIONS = {
   off: (label: string) => `no ${label}`,
   setTo: (label: string, value: string | number) => `${label} ${value}`,
-  uvsKept: 'UVs of the file kept',
+  keepingUvs: 'keep UVs of the file',
   keepUvs: 'Keep UVs of the file',
   aboutKeepUvs:
     'Faces with UVs in the file keep them exactly; all others are unwrapped and packed around them',
@@ -425,6 +425,8 @@ export const VERDICT = {
   stacked: (charts: number) => `${counted(charts, 'chart')} stacked, no other overlaps`,
   uneven: (least: number, most: number) =>
     `Texel density ${measure(least)} to ${measure(most)}: repack to even out`,
+  unevenBesideKept: (least: number, most: number) =>
+    `Texel density ${measure(least)} to ${measure(most)}: kept UVs keep theirs`,
   lengthsChange: (share: number) =>
     `Lengths change by ${count(100 * share)}\u202f% on average: seams would help`,
   stretched: (most: string, limit: number, charts: number, all: number) => {
@@ -442,6 +444,9 @@ export const VERDICT = {
       : `${count(charts)} charts are not valid. In the first, ${problem}`,
 };
 
+/** What is wrong with a chart, in the words of abflat. */
+export const DEFECTS = { both: (one: string, other: string) => `${one}, and ${other}` };
+
 /** What the user can do about a verdict. */
 export const REMEDIES = {
   cut: {
@@ -450,7 +455,7 @@ export const REMEDIES = {
   },
   pack: {
     label: 'Repack',
-    title: 'Pack all charts again, at the same texel density',
+    title: 'Pack the same charts again, all at the same texel density',
   },
   unwrap: { label: 'Unwrap', title: 'Cut the mesh into charts that stretch less' },
 };
@@ -489,7 +494,7 @@ export const ATLAS_METRICS = {
   stretch: {
     label: 'Stretch',
     title:
-      'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths',
+      'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths. The stretch ratio in Details ignores changes of size; there, 1 keeps all angles',
   },
   angle: {
     label: 'Angular distortion',
@@ -590,6 +595,8 @@ export const CHART_LIST = {
     const cuts = cutEdges > 0 ? `cut along ${counted(cutEdges, 'edge')}` : 'nothing was cut';
     return `${sizes}; ${cuts}; average stretch ratio ${measure(stretchRatio)}`;
   },
+  aboutSummary:
+    'Stretch ratio: how many times as much a triangle stretches in one direction as across it, mean over the surface; 1 keeps all angles. Stretch, above, also counts changes of size',
 };
 
 export const LOCKS = {
@@ -598,7 +605,14 @@ export const LOCKS = {
   about: 'Locked: the chart keeps its shape and position, whatever else changes',
   locked: (chart: number) => `Locked chart ${chart}`,
   unlocked: (chart: number) => `Unlocked chart ${chart}`,
-  summary: (n: number) => (n > 0 ? `${counted(n, 'chart')} locked` : 'Locked charts stay in place'),
+  keptUvs: 'Kept UVs stay in place; switch Keep UVs off to move them',
+  summary: (locked: number, keptUvs: number) => {
+    const texts = [
+      ...(locked > 0 ? [`${counted(locked, 'chart')} locked`] : []),
+      ...(keptUvs > 0 ? [`${counted(keptUvs, 'chart keeps its', 'charts keep their')} UVs`] : []),
+    ];
+    return texts.length > 0 ? texts.join(', ') : 'Locked charts stay in place';
+  },
 };
 
 /** By abflat's names. */
@@ -724,8 +738,8 @@ export const CHANGES = {
   seams: (sources: string) => `Seams: ${sources.replaceAll(',', ', ')}`,
   seamEdges: (edges: number) => `Seams of ${counted(edges, 'edge')}`,
   noSeamEdges: 'Seams as chosen',
-  keptUvs: 'UVs of the file kept',
-  noKeptUvs: 'UVs of the file not kept',
+  keepUvs: 'Keep UVs of the file',
+  keepNoUvs: 'Keep UVs of the file off',
   packedAgain: 'Repacked',
   switched: (label: string, isOn: boolean) => (isOn ? label : `${label} off`),
   set: (label: string, value: unknown) => `${label} ${value}`,
@@ -751,6 +765,7 @@ export const RUN = {
   someCharts: (some: number, charts: number, what: string) =>
     `; ${count(some)} of ${counted(charts, 'chart')} ${what}`,
   shownAgain: (title: string) => `${title} is as you left it`,
+  asLeft: 'This layout is as you left it',
   cancelled: 'Cancelled',
   notOpened: (title: string) => `${title} was not opened`,
   nothingOpened: 'Nothing was opened',
@@ -759,6 +774,27 @@ export const RUN = {
   /** `done`: what was not; null: the mesh was not opened. */
   failed: (title: string, done: string | null, why: string) =>
     `${title} was not ${done === null ? 'opened' : done.toLowerCase()}: ${ended(why)}`,
+};
+
+/** Why an atlas has too little room, and what helps. */
+export const NO_ROOM = {
+  /** `isOne`: a single chart is too large; `most`: the density that fits; `enough`: a resolution that does, if one is offered. */
+  tooDense: (
+    density: number,
+    resolution: number,
+    isOne: boolean,
+    most: number,
+    enough: number | undefined,
+  ) => {
+    const what = isOne ? 'one chart does not fit a tile' : 'the charts do not fit one tile';
+    const ways = [
+      `Set Texel density, under More, to auto or to at most ${most}`,
+      ...(enough ? [`choose a resolution of ${count(enough)}\u202fpx`] : []),
+      ...(isOne ? [] : ['switch on UDIM tiles']),
+    ];
+    const either = [ways.slice(0, -1).join(', '), ways.at(-1)].filter(Boolean).join(', or ');
+    return `at ${density} texels per unit, ${what} of ${count(resolution)}\u202fpx. ${either}.`;
+  },
 };
 
 /** What is on screen. */
@@ -915,6 +951,7 @@ export const SELECTION = {
   },
   none: 'Select a chart first',
   locked: 'Locked charts stay. Unlock them to move them',
+  keptUvs: LOCKS.keptUvs,
   density: 'Density',
   mixedDensity: 'mixed',
   densityOfOne: (chart: number, density: number) => `Density of chart ${chart}: ${density}`,
@@ -973,6 +1010,7 @@ export const PINS = {
   moved: (chart: number) => `Moved a pin of chart ${chart}`,
   notMoved: (message: string) => `The pin was not moved: ${message}`,
   locked: 'This chart is locked. Unlock it to drag its pins',
+  keptUvs: LOCKS.keptUvs,
 };
 
 /** Keys, where the help does not show them by the names that events give them. */

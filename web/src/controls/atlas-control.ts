@@ -1,7 +1,7 @@
 import { type MeshSummary, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
 import { create, element } from '../base/dom';
 import { STRETCH_LIMIT } from '../base/english';
-import type { UnwrapSettings } from '../model/settings';
+import { RESOLUTIONS, type UnwrapSettings } from '../model/settings';
 import { BalanceControl } from './balance-control';
 import { MoreControl } from './more-control';
 import { NumberField } from './number-field';
@@ -17,7 +17,6 @@ const TICKS = [
   { stretch: 1.1, name: '' },
   { stretch: 2, name: STRETCH_LIMIT.fewer },
 ];
-export const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
 
 /** Stretch, resolution, padding and the less common options of an atlas. */
 export class AtlasControl {

@@ -1,5 +1,6 @@
 import { create, element } from '../base/dom';
 import { OPENED_NOTICE } from '../base/english';
+import { messageHidden, messageShown } from '../base/messages';
 import type { FileSource } from '../model/model';
 
 /** What may be done with meshes that were chosen at once. */
@@ -14,7 +15,8 @@ const STAYS = { least: 12_000, perLetter: 80 };
 /**
  * What the user should know about the opened file. It goes away once there was time to read it; not
  * while the pointer or the focus is on it, or the page is out of sight. If several meshes were
- * chosen at once, there are buttons for all of them, which wait for an answer.
+ * chosen at once, there are buttons for all of them, which wait for an answer, or until the user works
+ * on with the one that is open.
  */
 export class Notice {
   private readonly box = element('notice', HTMLElement);
@@ -31,7 +33,7 @@ export class Notice {
   private wait(): void {
     clearTimeout(this.timer);
     const isRead = this.box.matches(':hover, :focus-within') || document.hidden;
-    if (isRead || this.box.querySelector('.notice-choices')) return;
+    if (isRead || this.asks) return;
     const letters = this.box.textContent?.length ?? 0;
     this.timer = setTimeout(() => this.hide(), STAYS.least + letters * STAYS.perLetter);
   }
@@ -43,15 +45,29 @@ export class Notice {
     this.hide();
     if (sentences.length === 0) return;
     const text = create('p', '', sentences.join(' '));
-    this.box.replaceChildren(text, ...this.choices(together), this.closing());
-    this.wait();
+    this.fill(text, ...this.choices(together));
   }
 
   /** Adds what was found out later. */
   add(sentence: string): void {
     const text = this.box.querySelector('p');
     if (text) text.textContent += ` ${sentence}`;
-    else this.box.replaceChildren(create('p', '', sentence), this.closing());
+    else this.fill(create('p', '', sentence));
+    this.wait();
+  }
+
+  /** The user works on: a question without an answer goes. */
+  overtake(): void {
+    if (this.asks) this.hide();
+  }
+
+  private get asks(): boolean {
+    return this.box.querySelector('.notice-choices') !== null;
+  }
+
+  private fill(...content: HTMLElement[]): void {
+    this.box.replaceChildren(...content, this.closing());
+    messageShown(this.box, () => this.hide());
     this.wait();
   }
 
@@ -65,6 +81,7 @@ export class Notice {
 
   hide(): void {
     clearTimeout(this.timer);
+    messageHidden(this.box);
     this.box.replaceChildren();
   }
 

@@ -28,7 +28,9 @@ export class ChartTable {
   private rows: ChartRow[] = [];
   /** The number of each chart's colour. */
   private colors: ArrayLike<number> | null = null;
-  private locks = new Set<number>();
+  private locks: ReadonlySet<number> = new Set();
+  /** Those that cannot be unlocked here. */
+  private keptUvs: ReadonlySet<number> = new Set();
   private selected: ReadonlySet<number> = new Set();
   private order: Order = { column: BY_FACES, descending: true };
 
@@ -59,10 +61,19 @@ export class ChartTable {
       row.ariaSelected = String(charts.has(Number(row.dataset.chart)));
   }
 
-  showLocks(charts: Set<number>): void {
+  /** `keptUvs`: charts that have the uv of the file, and stay for that reason. */
+  showLocks(charts: ReadonlySet<number>, keptUvs: ReadonlySet<number>): void {
     this.locks = charts;
-    for (const button of this.body.querySelectorAll<HTMLElement>('.lock'))
-      button.ariaPressed = String(charts.has(Number(button.dataset.chart)));
+    this.keptUvs = keptUvs;
+    for (const button of this.body.querySelectorAll<HTMLElement>('.lock')) this.showLock(button);
+  }
+
+  private showLock(button: HTMLElement): void {
+    const chart = Number(button.dataset.chart);
+    const isKept = this.keptUvs.has(chart);
+    button.ariaPressed = String(isKept || this.locks.has(chart));
+    button.ariaDisabled = String(isKept);
+    button.title = isKept ? LOCKS.keptUvs : LOCKS.about;
   }
 
   private fill(): void {
@@ -130,8 +141,7 @@ export class ChartTable {
     button.type = 'button';
     button.dataset.chart = String(index);
     button.ariaLabel = LOCKS.lock(index);
-    button.ariaPressed = String(this.locks.has(index));
-    button.title = LOCKS.about;
+    this.showLock(button);
     const icon = svg('svg', { class: 'icon', viewBox: '0 0 16 16', 'aria-hidden': 'true' });
     icon.append(
       svg('path', { class: 'lock-body', d: 'M3.500 7.500h9v6h-9z' }),

@@ -13,6 +13,7 @@ export interface ChartsTabEvents {
   /** A chart was locked or unlocked; `what` says so. */
   locked(what: string): void;
   packAgain(): void;
+  say(text: string): void;
 }
 
 /** What an atlas consists of and how it was made. */
@@ -36,6 +37,10 @@ export class ChartsTab {
         events.chosen(chart);
       },
       locked: (chart) => {
+        if (locks.keptUvs.has(chart)) {
+          events.say(LOCKS.keptUvs);
+          return;
+        }
         locks.toggle(chart);
         this.showLocks();
         events.locked(locks.charts.has(chart) ? LOCKS.locked(chart) : LOCKS.unlocked(chart));
@@ -50,6 +55,7 @@ export class ChartsTab {
     this.notes.replaceChildren(...lines.map((line) => create('li', '', line)));
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);
+    this.summary.title = CHART_LIST.aboutSummary;
     this.table.show(report, colors);
     this.showLocks();
     this.pack.disabled = false;
@@ -59,6 +65,7 @@ export class ChartsTab {
   clear(): void {
     this.notes.hidden = true;
     this.summary.textContent = '';
+    this.summary.title = '';
     this.table.clear();
     this.pack.disabled = true;
   }
@@ -68,9 +75,9 @@ export class ChartsTab {
   }
 
   private showLocks(): void {
-    const { charts } = this.locks;
-    this.table.showLocks(charts);
-    this.lockSummary.textContent = LOCKS.summary(charts.size);
+    const { charts, keptUvs } = this.locks;
+    this.table.showLocks(charts, keptUvs);
+    this.lockSummary.textContent = LOCKS.summary(charts.size, keptUvs.size);
   }
 }
 

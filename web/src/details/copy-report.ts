@@ -1,4 +1,4 @@
-import { showAlert } from '../base/alert';
+import { hideAlert, showAlert } from '../base/alert';
 import { element } from '../base/dom';
 import { REPORT } from '../base/english';
 import type { Outcome } from '../model/model';
@@ -26,6 +26,7 @@ export class CopyReport {
     if (!this.outcome) return;
     try {
       await navigator.clipboard.writeText(JSON.stringify(this.outcome.result.report, null, 2));
+      hideAlert();
       this.say(REPORT.copied);
     } catch (error) {
       console.info('The clipboard cannot be written:', error);

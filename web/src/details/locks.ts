@@ -7,6 +7,8 @@ export class Locks {
   private shown: UnwrapResult | null = null;
   /** Charts of the atlas on screen that were locked when it was made. */
   private locked: Uint32Array = new Uint32Array();
+  /** Charts of the atlas on screen that have the uv of the file. */
+  private ofFile: ReadonlySet<number> = new Set();
   private wish: Kept | undefined;
 
   /** The charts that the next run must keep; a new object after every change. */
@@ -21,8 +23,19 @@ export class Locks {
     return new Set(isCurrent ? this.wish?.charts : this.locked);
   }
 
+  /** Charts of the atlas on screen that nothing can move while the uv of the file are kept. */
+  get keptUvs(): ReadonlySet<number> {
+    return this.ofFile;
+  }
+
+  /** All charts of the atlas on screen that stay where they are. */
+  get staying(): ReadonlySet<number> {
+    return new Set([...this.charts, ...this.ofFile]);
+  }
+
   clear(): void {
     this.shown = null;
+    this.ofFile = new Set();
     this.wish = undefined;
   }
 
@@ -34,13 +47,14 @@ export class Locks {
   show({ result, settings }: Unwrapped): void {
     this.shown = result;
     this.locked = lockedCharts(result, settings.kept);
+    this.ofFile = settings.fixedFaces ? chartsOfFile(result, this.locked) : new Set();
     // Otherwise the user has locked or unlocked charts in the meantime, and another run will
     // follow.
     if (settings.kept === this.wish) this.wish = { layout: result, charts: this.locked };
   }
 
   toggle(chart: number): void {
-    if (!this.shown) return;
+    if (!this.shown || this.ofFile.has(chart)) return;
     const { charts } = this;
     if (!charts.delete(chart)) charts.add(chart);
     this.wish = { layout: this.shown, charts: Uint32Array.from(charts) };
@@ -60,4 +74,10 @@ function lockedCharts({ report, chartOfTriangle }: UnwrapResult, kept?: Kept): U
         locked.add(chart);
     });
   return Uint32Array.from(locked);
+}
+
+/** Charts that are where they are for no other reason than that the file has them there. */
+function chartsOfFile({ report }: UnwrapResult, locked: Uint32Array): Set<number> {
+  const given = report.charts.flatMap(({ solver }, chart) => (solver === 'given' ? chart : []));
+  return new Set(given.filter((chart) => !locked.includes(chart)));
 }

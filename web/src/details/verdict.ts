@@ -2,7 +2,9 @@ import type { Report, UnwrapReport } from 'abflat';
 import { BADGES, VERDICT } from '../base/english';
 import { sentence } from '../base/format';
 import type { ChartAreas } from '../mesh/chart-areas';
+import { isOutside, isOverlapping } from '../model/misplaced';
 import type { Outcome, Unwrapped } from '../model/model';
+import type { UnwrapSettings } from '../model/settings';
 import { stackedCharts } from '../model/stacks';
 
 /** What would help: more seams, seams at all, or packing all charts anew. */
@@ -22,9 +24,6 @@ export interface Verdict {
  */
 const MOST_CHANGE = 0.5;
 
-/** How abflat says that a chart of an atlas is in the wrong place. */
-const OUTSIDE = /^it extends beyond its tile/;
-const OVERLAPPING = /^it touches or overlaps the chart/;
 /** Charts that stayed where they were may have this many times the texels along an edge that others have. */
 const MOST_UNEVEN = 1.1;
 
@@ -48,9 +47,17 @@ function ofDisk({ charts: [chart], valid }: Report): Verdict {
 function ofAtlas(outcome: Unwrapped, areas: ChartAreas | null): Verdict {
   const { result, settings, stacks } = outcome;
   const { charts, valid } = result.report;
-  if (!valid) return { badge: BADGES.notValid, reason: defects(result.report), remedy: null };
+  if (!valid) {
+    const remedy = isMisplaced(result.report) ? 'pack' : null;
+    return { badge: BADGES.notValid, reason: defects(result.report), remedy };
+  }
   const uneven = areas && unevenDensity(outcome, areas);
   if (uneven) return { badge: BADGES.uneven, reason: VERDICT.uneven(...uneven), remedy: 'pack' };
+  const beside = areas && unevenBesideKept(outcome, areas);
+  if (beside) {
+    const reason = VERDICT.unevenBesideKept(...beside);
+    return { badge: BADGES.uneven, reason, remedy: null };
+  }
   const stretched = stretchedCharts(result.report, settings.maxStretch);
   if (stretched.length === 0) {
     const reason = stacks ? VERDICT.stacked(stackedCharts(stacks)) : VERDICT.noOverlaps;
@@ -61,7 +68,7 @@ function ofAtlas(outcome: Unwrapped, areas: ChartAreas | null): Verdict {
   return {
     badge: BADGES.stretched,
     reason: VERDICT.stretched(above(most, limit), limit, stretched.length, charts.length),
-    remedy: isAutomatic(settings.seams) ? null : 'cut',
+    remedy: isCutEnough(settings) ? null : 'cut',
   };
 }
 
@@ -71,20 +78,50 @@ function ofAtlas(outcome: Unwrapped, areas: ChartAreas | null): Verdict {
  */
 function unevenDensity(
   { result, settings }: Unwrapped,
-  { flat, solid, asked }: ChartAreas,
+  areas: ChartAreas,
 ): [number, number] | null {
-  const { charts, atlas } = result.report;
+  const { charts } = result.report;
   if (!charts.some(({ solver, fixed }) => fixed && solver === 'known')) return null;
   const locked = new Set(settings.kept?.charts);
   const isLocked = (chart: number) => locked.has(chart) && settings.kept?.layout === result;
   const densities = charts.flatMap(({ solver, fixed }, i) => {
-    if ((fixed && solver !== 'known') || isLocked(i) || !(solid[i] > 0)) return [];
-    return (atlas.resolution * Math.sqrt(flat[i] / solid[i])) / asked[i];
+    return (fixed && solver !== 'known') || isLocked(i) ? [] : densityOf(result, areas, i);
   });
-  const low = densities.reduce((least, each) => Math.min(least, each), Infinity);
-  const high = densities.reduce((most, each) => Math.max(most, each), 0);
+  const [low, high] = rangeOf(densities);
   return high > MOST_UNEVEN * low ? [low, high] : null;
 }
+
+/**
+ * The least and the largest texel density, where a chart has another one than any that keeps the uv
+ * of the file; null where none does. Those may differ from each other.
+ */
+function unevenBesideKept(
+  { result, settings }: Unwrapped,
+  areas: ChartAreas,
+): [number, number] | null {
+  if (!settings.fixedFaces) return null;
+  const densities = (isKept: boolean) =>
+    result.report.charts.flatMap(({ solver }, i) =>
+      (solver === 'given') === isKept ? densityOf(result, areas, i) : [],
+    );
+  const [kept, others] = [rangeOf(densities(true)), rangeOf(densities(false))];
+  const isUneven = others[1] > MOST_UNEVEN * kept[1] || MOST_UNEVEN * others[0] < kept[0];
+  if (!isUneven || kept[1] === 0 || others[1] === 0) return null;
+  return [Math.min(kept[0], others[0]), Math.max(kept[1], others[1])];
+}
+
+/** As if no chart asked for more than another; none where there is no surface. */
+function densityOf({ report }: Unwrapped['result'], areas: ChartAreas, chart: number): number[] {
+  const { flat, solid, asked } = areas;
+  if (!(solid[chart] > 0)) return [];
+  return [(report.atlas.resolution * Math.sqrt(flat[chart] / solid[chart])) / asked[chart]];
+}
+
+/** The least and the largest. */
+const rangeOf = (densities: number[]): [number, number] => [
+  densities.reduce((least, each) => Math.min(least, each), Infinity),
+  densities.reduce((most, each) => Math.max(most, each), 0),
+];
 
 /** Leaves out charts whose shape the user asked to keep. */
 function stretchedCharts({ charts }: UnwrapReport, maxStretch: number) {
@@ -92,6 +129,10 @@ function stretchedCharts({ charts }: UnwrapReport, maxStretch: number) {
     (chart) => chart.solver !== 'given' && chart.symmetricDirichlet > maxStretch,
   );
 }
+
+/** Whether all was tried: charts that were moved or packed again are as they were cut before. */
+const isCutEnough = ({ seams, seamEdges, placed }: UnwrapSettings) =>
+  isAutomatic(seams) && (seamEdges !== undefined || placed === undefined);
 
 /** Whether, with this value of `--seams`, charts are cut until they keep within the limit. */
 export const isAutomatic = (seams: string) => seams.split(',').includes('auto');
@@ -102,12 +143,21 @@ function above(stretch: number, limit: number): string {
   return stretch.toFixed(digits ?? 6);
 }
 
-/** Why charts are not valid: how many of each kind. */
+/** Whether nothing is wrong but where charts are, and packing moves one of them. */
+function isMisplaced({ charts }: UnwrapReport): boolean {
+  const bad = charts.filter(({ valid }) => !valid);
+  return (
+    bad.every(({ problem }) => isOutside(problem) || isOverlapping(problem)) &&
+    bad.some(({ solver, fixed }) => fixed && solver === 'known')
+  );
+}
+
+/** Why charts are not valid: how many of each kind. One may be of two kinds. */
 function defects({ charts }: UnwrapReport): string {
-  const problems = charts.filter((chart) => !chart.valid).map(({ problem }) => problem);
-  const outside = problems.filter((problem) => OUTSIDE.test(problem));
-  const overlapping = problems.filter((problem) => OVERLAPPING.test(problem));
-  const others = problems.filter((problem) => !OUTSIDE.test(problem) && !OVERLAPPING.test(problem));
+  const problems = charts.filter(({ valid }) => !valid).map(({ problem }) => problem);
+  const outside = problems.filter(isOutside);
+  const overlapping = problems.filter(isOverlapping);
+  const others = problems.filter((problem) => !isOutside(problem) && !isOverlapping(problem));
   return [
     ...(outside.length > 0 ? [VERDICT.outside(outside.length)] : []),
     ...(overlapping.length > 0 ? [VERDICT.overlapping(overlapping.length)] : []),

@@ -11,6 +11,8 @@ import type { Workshop } from '../workshop/workshop';
 
 export interface LayoutBarEvents {
   say(text: string): void;
+  /** A file was saved; `what` says so. */
+  saved(what: string): void;
   failed(outcome: Unwrapped, error: Error): void;
 }
 
@@ -88,7 +90,7 @@ export class LayoutBar {
   private save({ outcome }: Shown, kind: string, file: Blob, size: string): void {
     const name = `${outcome.source.name.replace(/\.[^.]*$/, '')}-${kind}`;
     download(name, file.type, file);
-    this.events.say(SAVED.saved(name, size));
+    this.events.saved(SAVED.saved(name, size));
   }
 }
 

@@ -42,7 +42,7 @@ export function changedOptions(options: MoreOptions): string[] {
     if (typeof value === 'boolean') return value ? label : OPTIONS.off(label);
     return OPTIONS.setTo(label, value);
   });
-  return options.fixedFaces ? [OPTIONS.uvsKept, ...changed] : changed;
+  return options.fixedFaces ? [OPTIONS.keepingUvs, ...changed] : changed;
 }
 
 /** Without its capital letter, unless it begins with an acronym. */

@@ -6,6 +6,12 @@ import type { MoreOptions } from './more-options';
 /** What a run can take over of an atlas. */
 export type KnownAtlas = KnownLayout & Pick<UnwrapResult, 'uv' | 'seams'>;
 
+/** An atlas whose charts are to be used as they are. */
+export interface Placed extends KnownAtlas {
+  /** They are packed anew; otherwise they stay where they are. */
+  repacks?: true;
+}
+
 /** Charts to keep where they are. */
 export interface Kept {
   layout: KnownAtlas;
@@ -33,6 +39,9 @@ export interface Marks {
   pins?: Uint32Array;
 }
 
+/** Texels along a side of an atlas that are offered. */
+export const RESOLUTIONS = [256, 512, 1024, 2048, 4096, 8192];
+
 /** What the user can ask of an atlas. */
 export interface UnwrapSettings extends MoreOptions, Marks {
   mode: 'unwrap';
@@ -48,17 +57,19 @@ export interface UnwrapSettings extends MoreOptions, Marks {
   seamEdges?: Uint32Array;
   /** Charts that were scaled keep their size when they are packed anew. */
   faceDensities?: FaceDensities;
-  /** The layout with charts where the user has moved them. */
-  placed?: KnownAtlas;
+  /** The layout with charts where the user has moved them, or that is packed again. */
+  placed?: Placed;
 }
 
 export type Settings = FlattenSettings | UnwrapSettings;
 
 /** Whether the layout itself depends on what was done by hand to this mesh, which no other mesh takes over. */
-export const isMadeByHand = (settings: Settings): boolean =>
-  settings.mode === 'flatten'
-    ? settings.bounds !== undefined
-    : Boolean(settings.seamEdges ?? settings.placed ?? settings.faceDensities);
+export function isMadeByHand(settings: Settings): boolean {
+  if (settings.mode === 'flatten') return settings.bounds !== undefined;
+  const { seamEdges, placed, faceDensities } = settings;
+  const isMoved = placed !== undefined && !placed.repacks;
+  return isMoved || Boolean(seamEdges ?? faceDensities);
+}
 
 /** Whether anything is marked by hand, which shows in no file. */
 const isMarked = (settings: Settings): boolean =>

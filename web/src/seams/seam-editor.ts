@@ -1,5 +1,6 @@
 import { SEAMS } from '../base/english';
 import { loadPart } from '../base/load-part';
+import { closesSomething, isMessageNext } from '../base/messages';
 import { ShortestPaths } from '../surface/shortest-paths';
 import { Aim, type Modifiers, modifiersOf } from '../view/aim';
 import type { MeshView } from '../view/mesh-view';
@@ -352,10 +353,10 @@ export class SeamEditor {
     event.stopPropagation();
   }
 
-  /** Where the tool is used. A run in flight is cancelled first. */
+  /** Where the tool is used. A run in flight is cancelled first, and what is said is closed. */
   private leavesTool({ target }: KeyboardEvent): boolean {
     const isHere = target === this.view.canvas || this.tools.has(target);
-    if (!isHere || document.body.ariaBusy || !this.tools.leave()) return false;
+    if (!isHere || document.body.ariaBusy || isMessageNext() || !this.tools.leave()) return false;
     this.events.say(SEAMS.toSelect);
     return true;
   }
@@ -365,10 +366,6 @@ export class SeamEditor {
     this.events.say(SEAMS.cancelled);
   }
 }
-
-/** What is open above the page comes first. */
-const closesSomething = ({ target }: KeyboardEvent) =>
-  target instanceof Element && target.closest('dialog, [role="menu"]') !== null;
 
 function listed(place: number): Uint32Array {
   return place < 0 ? new Uint32Array() : Uint32Array.of(place);

@@ -127,12 +127,13 @@ export class SeamModel {
     this.change({ sources: this.choice.sources, edges });
   }
 
-  /** Adds automatic seams to those asked for. */
+  /** Adds automatic seams to those asked for, or to those on screen where they are automatic. */
   cutFurther(): void {
     const { sources, edges } = this.choice;
+    const kept = edges ?? (sources.auto ? this.shownPairs : null);
     this.change(
-      edges
-        ? { sources, edges, isCutFurther: true }
+      kept
+        ? { sources, edges: kept, isCutFurther: true }
         : { sources: { ...sources, auto: true }, edges },
     );
   }

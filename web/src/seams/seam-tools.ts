@@ -25,7 +25,7 @@ export class SeamTools {
     this.paint.addEventListener('click', () => this.togglePainting());
     this.cancel.addEventListener('click', cancelled);
     this.buttons.forEach((button, i) => {
-      button.addEventListener('click', () => this.choose(TOOLS[i], this.paints));
+      button.addEventListener('click', () => this.press(TOOLS[i]));
     });
     this.showTool();
   }
@@ -38,6 +38,11 @@ export class SeamTools {
   /** Whether drags over the mesh use the tool. */
   get isPainting(): boolean {
     return this.paints;
+  }
+
+  /** Pressing the tool that is chosen goes back to selecting, as with the page's other tools. */
+  private press(tool: (typeof TOOLS)[number]): void {
+    this.choose(tool === this.chosen ? 'select' : tool, this.paints);
   }
 
   togglePainting(): void {

@@ -1,6 +1,7 @@
 import { bent, type ChartMesh, type Coordinates } from '../arrange/chart-mesh';
 import { type Motion, moved, type Point, STILL } from '../arrange/motion';
 import { PINS } from '../base/english';
+import { isMessageNext } from '../base/messages';
 import type { Unwrapped } from '../model/model';
 import { Aim } from '../view/aim';
 import type { Bending } from '../view/bending';
@@ -22,7 +23,9 @@ export interface PinEvents {
   /** The atlas on screen, with charts where they are now; null if there is none. */
   layout(): Unwrapped | null;
   /** Charts that must not change. */
-  locked(): ReadonlySet<number>;
+  staying(): ReadonlySet<number>;
+  /** Those that must not because the file has them as they are. */
+  keptUvs(): ReadonlySet<number>;
   hidden(): ReadonlySet<number>;
   /** A chart as a mesh of its own. */
   chart(outcome: Unwrapped, chart: number): Promise<ChartMesh>;
@@ -113,8 +116,9 @@ export class PinTool {
   private movable(corner: number | null): Movable | null {
     const outcome = this.events.layout();
     if (corner === null || !outcome || this.dragged) return null;
-    if (this.isLocked(outcome, corner)) {
-      this.events.say(PINS.locked);
+    if (this.stays(outcome, corner)) {
+      const isOfFile = this.events.keptUvs().has(chartOfCorner(outcome.result, corner));
+      this.events.say(isOfFile ? PINS.keptUvs : PINS.locked);
       return null;
     }
     const middle = pointOfCorner(outcome.result, corner);
@@ -140,8 +144,8 @@ export class PinTool {
     };
   }
 
-  private isLocked({ result }: Unwrapped, corner: number): boolean {
-    return this.events.locked().has(chartOfCorner(result, corner));
+  private stays({ result }: Unwrapped, corner: number): boolean {
+    return this.events.staying().has(chartOfCorner(result, corner));
   }
 
   private async place(bending: Promise<Bending>, by: Point): Promise<void> {
@@ -206,7 +210,7 @@ export class PinTool {
     const aimed = pin ?? (at && this.cornerAt(at));
     this.views.canvasOf('layout').classList.toggle('movable', pin !== null);
     // So that it follows at once when it is dragged.
-    if (pin !== null && outcome && !this.isLocked(outcome, pin)) void this.bending(outcome, pin);
+    if (pin !== null && outcome && !this.stays(outcome, pin)) void this.bending(outcome, pin);
     if (aimed === this.aimed) return;
     this.aimed = aimed;
     this.draw();
@@ -226,8 +230,8 @@ export class PinTool {
 
   private onKey(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey || !this.layout) return;
-    const isToggle = event.key.toLowerCase() === 'p' || (this.isOn && event.key === 'Escape');
-    if (!isToggle) return;
+    const leaves = this.isOn && event.key === 'Escape' && !isMessageNext();
+    if (!leaves && event.key.toLowerCase() !== 'p') return;
     event.preventDefault();
     event.stopPropagation();
     this.toggle();

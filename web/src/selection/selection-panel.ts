@@ -19,8 +19,10 @@ export interface SelectionEvents {
   isFree(): boolean;
   /** The selection has changed. */
   changed(selected: ReadonlySet<number>): void;
-  /** The locked charts of the atlas on screen. */
-  locked(): ReadonlySet<number>;
+  /** The charts of the atlas on screen that stay where they are. */
+  staying(): ReadonlySet<number>;
+  /** Those that stay because the file has them there. */
+  keptUvs(): ReadonlySet<number>;
   /** What a face asks for: its texel density relative to the others. */
   densityOf(face: number): number;
   /** Charts are to be moved; `what` has been done to them. */
@@ -88,8 +90,8 @@ export class SelectionPanel {
   }
 
   private get movable(): ReadonlySet<number> {
-    const locked = this.events.locked();
-    return new Set([...this.selection.selected].filter((chart) => !locked.has(chart)));
+    const staying = this.events.staying();
+    return new Set([...this.selection.selected].filter((chart) => !staying.has(chart)));
   }
 
   /** All that a drag of the chart at a pixel moves. */
@@ -163,8 +165,7 @@ export class SelectionPanel {
   private arrange(how: ArrangeName): void {
     const { movable } = this;
     if (movable.size === 0) {
-      const isLocked = this.selection.selected.size > 0;
-      this.events.say(isLocked ? SELECTION.locked : SELECTION.none);
+      this.events.say(this.whyNoneMoves());
       return;
     }
     if (isGesture(how)) {
@@ -173,6 +174,14 @@ export class SelectionPanel {
       return;
     }
     this.events.arranged(this.arranged(how, movable), movedText(movable, how));
+  }
+
+  private whyNoneMoves(): string {
+    const { selected } = this.selection;
+    if (selected.size === 0) return SELECTION.none;
+    const keptUvs = this.events.keptUvs();
+    const isOfFile = [...selected].every((chart) => keptUvs.has(chart));
+    return isOfFile ? SELECTION.keptUvs : SELECTION.locked;
   }
 
   private arranged(how: Exclude<ArrangeName, GestureKind>, movable: ReadonlySet<number>): Arranged {

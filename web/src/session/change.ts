@@ -33,7 +33,7 @@ const NAMES: Record<string, (value: never) => Change> = {
     text: edges ? CHANGES.seamEdges(edges.length / 2) : CHANGES.noSeamEdges,
   }),
   fixedFaces: (kept: string | undefined) => ({
-    text: kept ? CHANGES.keptUvs : CHANGES.noKeptUvs,
+    text: kept ? CHANGES.keepUvs : CHANGES.keepNoUvs,
   }),
 };
 

@@ -26,22 +26,22 @@ type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces' | 'se
 /**
  * What a run takes over: charts that stay the same are not flattened again, and locked ones stay
  * where they are. After an edit of seams, or when charts were moved, all that it leaves unchanged
- * stay where they are.
+ * stay where they are. Neither moving nor packing charts again cuts them.
  */
 function fromEarlier(settings: UnwrapSettings, last: Unwrapped | null): Earlier {
   const { kept, placed, fixedFaces } = settings;
-  const isMoved = placed !== undefined && placed !== last?.settings.placed;
-  const keepsPlaces = isMoved || (last !== null && isSeamEdit(last.settings, settings));
-  const layout = (isMoved ? placed : undefined) ?? last?.result;
-  // Moving charts cuts nothing.
-  const seams = isMoved ? { seams: 'none', seamEdges: placed.seams } : {};
+  const given = placed === last?.settings.placed ? undefined : placed;
+  const isEdit = last !== null && isSeamEdit(last.settings, settings);
+  const keepsPlaces = given ? !given.repacks : isEdit;
+  const layout = given ?? last?.result;
+  const seams = given ? { seams: 'none', seamEdges: given.seams } : {};
   if (!kept || kept.charts.length === 0) {
     // Beside faces that stay, a chart is factored in another order, which changes its last digits.
-    const isKnown = keepsPlaces || last?.settings.fixedFaces === fixedFaces;
+    const isKnown = given || keepsPlaces || last?.settings.fixedFaces === fixedFaces;
     return { ...(isKnown && { known: layout }), keepsPlaces, ...seams };
   }
   // The numbers of locked charts are those of the layout in which they were locked.
-  const isSame = keepsPlaces && (isMoved || kept.layout === last?.result);
+  const isSame = keepsPlaces && (given !== undefined || kept.layout === last?.result);
   const known = isSame ? layout : kept.layout;
   return { known, fixedCharts: kept.charts, keepsPlaces: isSame, ...seams };
 }
@@ -99,8 +99,10 @@ export async function layOut(
   };
   const runs = { abflat, input, helpers, signal: watch.signal };
   const packed = (known: Earlier) => {
-    if (!last?.stacks) return unwrap(known).then((result) => ({ result }));
-    const { faceDensities } = settings;
+    const { faceDensities, fixedFaces } = settings;
+    // Charts that take the uv of the file leave their stacks.
+    if (!last?.stacks || fixedFaces !== last.settings.fixedFaces)
+      return unwrap(known).then((result) => ({ result }));
     return keepingStacks(last, last.stacks, { ...known, faceDensities }, unwrap, runs);
   };
   if (!known.keepsPlaces) return made(await packed(known));

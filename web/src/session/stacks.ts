@@ -2,7 +2,10 @@
 
 import type { Abflat, MeshInput, UnwrapOptions, UnwrapReport, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
+import { DEFECTS } from '../base/english';
+import { inOneTile } from '../mesh/in-one-tile';
 import type { DisplayMesh } from '../mesh/mesh';
+import { isOutside, isOverlapping } from '../model/misplaced';
 import type { Helpers, Unwrapped } from '../model/model';
 import type { Stack } from '../model/stacks';
 
@@ -30,16 +33,42 @@ export async function judged(result: UnwrapResult, runs: Runs): Promise<Judged> 
 }
 
 async function judgedApart(result: UnwrapResult, runs: Runs): Promise<Judged> {
-  const { stacks, repeated } = await runs.helpers.stacks(result);
-  if (stacks.length === 0) return { result };
-  const { atlas } = result.report;
-  const uv = await runs.helpers.apart(result, stacks, Math.ceil(atlas.tiles / 10));
-  if (!uv) return { result };
-  const found = await inPlace({ ...result, uv }, runs);
-  const { tiles, utilization } = found.report.atlas;
-  const area = utilization * tiles - repeated;
-  const report = withVerdict(result, found, { ...atlas, utilization: area / atlas.tiles });
-  return { result: { ...result, report }, stacks };
+  const found = await runs.helpers.stacks(result);
+  const { atlas, charts } = result.report;
+  // Only the lowest chart need not have room for more digits.
+  const stacks = lowestFirst(found.stacks, (chart) => charts[chart].solver === 'given');
+  const rows = Math.ceil(atlas.tiles / 10);
+  const uv = stacks.length > 0 ? await runs.helpers.apart(result, stacks, rows) : null;
+  if (!uv) return { result: await withOverlaps(result, result.uv, runs) };
+  const placed = await inPlace({ ...result, uv }, runs);
+  const { tiles, utilization } = placed.report.atlas;
+  const area = utilization * tiles - found.repeated;
+  const report = withVerdict(result, placed, { ...atlas, utilization: area / atlas.tiles });
+  return { result: await withOverlaps({ ...result, report }, uv, runs), stacks };
+}
+
+/**
+ * Abflat does not look for what charts outside their tiles overlap. So all are looked at once more,
+ * as small as one tile. `uv`: where no stack overlaps itself.
+ */
+async function withOverlaps(
+  result: UnwrapResult,
+  uv: Float64Array,
+  runs: Runs,
+): Promise<UnwrapResult> {
+  const { report, chartOfTriangle } = result;
+  if (!report.charts.some(({ problem }) => isOutside(problem))) return result;
+  const found = await inPlace({ ...result, uv: inOneTile(uv) }, runs);
+  const charts = [...report.charts];
+  chartOfTriangle.forEach((chart, f) => {
+    const other = found.report.charts[found.chartOfTriangle[f]];
+    const before = report.charts[chart];
+    if (!before || !other || !isOverlapping(other.problem)) return;
+    if (before.valid) charts[chart] = { ...before, valid: false, problem: other.problem };
+    else if (isOutside(before.problem))
+      charts[chart] = { ...before, problem: DEFECTS.both(before.problem, other.problem) };
+  });
+  return { ...result, report: { ...report, charts } };
 }
 
 /** Checks all charts where they are, in any number of tiles. */
@@ -89,10 +118,10 @@ export async function keepingStacks(
   runs: Runs,
 ): Promise<Judged> {
   const fixed = new Set(options.fixedCharts);
-  // What is locked stays, so the others come to it.
-  const ordered = stacks.map((stack) =>
-    [...stack].sort((a, b) => Number(fixed.has(b)) - Number(fixed.has(a))),
-  );
+  // What is locked, or as in the file, stays, so the others come to it.
+  const { charts } = earlier.result.report;
+  const stays = (chart: number) => fixed.has(chart) || charts[chart].solver === 'given';
+  const ordered = lowestFirst(stacks, stays);
   const upper = new Set(ordered.flatMap(([, ...others]) => others));
   const fixedCharts = options.fixedCharts?.filter((chart) => !upper.has(chart));
   const faceDensities = smallIn(earlier, upper, options.faceDensities);
@@ -104,6 +133,9 @@ export async function keepingStacks(
   const placed = await judgedApart({ ...rest, uv }, runs);
   return placed.stacks ? withLocks(placed, earlier, fixed) : { result: await unwrap(options) };
 }
+
+const lowestFirst = (stacks: Stack[], isLowest: (chart: number) => boolean): Stack[] =>
+  stacks.map((stack) => [...stack].sort((a, b) => Number(isLowest(b)) - Number(isLowest(a))));
 
 /** Locked charts that lie on others have stayed with them. */
 function withLocks({ result, stacks }: Judged, earlier: Unwrapped, locked: Set<number>): Judged {

@@ -104,6 +104,13 @@ export class Steps {
     this.forget();
   }
 
+  /** The result of the last step so far that asked for these settings; null if there is none. */
+  resultOf(settings: Settings): Outcome | null {
+    const before = this.steps.slice(0, this.at + 1).reverse();
+    const step = before.find((step) => step.outcome && sameSettings(step.settings, settings));
+    return step?.outcome ?? null;
+  }
+
   /** Makes a step the current one. */
   go(to: number): Step | null {
     const step = this.steps[to];

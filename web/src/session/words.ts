@@ -6,6 +6,7 @@ import { foundChart } from '../model/found-chart';
 import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
 import { changedOptions } from '../model/more-options';
 import type { Settings } from '../model/settings';
+import { inRoomWords } from './no-room';
 import { titleOf } from './titles';
 
 /** "t = auto, Delaunay" */
@@ -43,7 +44,7 @@ export const notSupported = (name: string): string =>
 
 /** What went wrong as a sentence that names the mesh. */
 export function failure(source: Source, settings: Settings | null, message: string): string {
-  const text = inPageWords(message);
+  const text = inRoomWords(inPageWords(message));
   if (text.includes(source.name)) return ended(text);
   return RUN.failed(titleOf(source), settings && LAYING_OUT[settings.mode].done, text);
 }
