@@ -67,13 +67,12 @@ class BeforeRounding {
 };
 
 /// How much packing may look at, in the unit of PackOptions. It grows with the triangles so that
-/// packing takes less time than flattening, but it is enough to pack the smallest meshes well.
-/// After charts have been cut for packing, the result must be as good as was predicted.
-double packWork(const std::vector<PackShape>& shapes, bool isCut) {
-  constexpr double kWorkOfCorner = 10, kLeastWork = 4000, kLeastOfCut = 100000;
+/// packing takes less time than flattening, but it is enough to pack small meshes well.
+double packWork(const std::vector<PackShape>& shapes) {
+  constexpr double kWorkOfCorner = 10, kLeastWork = 100000;
   double corners = 0;
   for (const PackShape& shape : shapes) corners += static_cast<double>(shape.triangles.size());
-  return std::max(kWorkOfCorner * corners, isCut ? kLeastOfCut : kLeastWork);
+  return std::max(kWorkOfCorner * corners, kLeastWork);
 }
 
 /// Texels per mesh unit of the charts that stay where they are, on average, less what they are
@@ -135,7 +134,7 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   how.pool = &packed.pool;
   how.progress = tell;
   std::vector<PackShape> shapes = shapesOf(packed);
-  how.work = packWork(shapes, atlas.packingCuts > 0);
+  how.work = packWork(shapes);
   how.fixedMayLeave = options.keepsPlaces;
   const double fixedDensity = densityOfFixed(packed, shapes, options.resolution);
   if (options.keepsPlaces || keepsIslands(packed.charts.flat)) how.mostDensity = fixedDensity;
