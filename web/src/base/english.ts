@@ -214,7 +214,7 @@ export const ABOUT_SAMPLES: Record<string, string> = {
   pumpkin: 'closed, textured',
 };
 
-/** `format` in capitals. */
+/** `format` in capitals; `set`: a texcoord set of a glTF, by the name that its choice gives it. */
 export const EXPORT = {
   export: (format: string) => `Export ${format}`,
   exportLast: 'Export last layout',
@@ -226,13 +226,11 @@ export const EXPORT = {
   notExported: 'Not exported',
   cancelled: 'Export cancelled',
   rounded:
-    'GLB stores single precision, and rounding makes some triangles flip or overlap. OBJ keeps all digits.',
-  replaced: (texcoord: number) => `New UVs replaced TEXCOORD_${texcoord}.`,
-  replacedPainted: (texcoord: number) =>
-    `New UVs replaced TEXCOORD_${texcoord}: textures painted for the old ones no longer fit.`,
-  added: (texcoord: number) => `New UVs are in TEXCOORD_${texcoord}.`,
-  addedToPainted: (texcoord: number) =>
-    `New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`,
+    'GLB stores single precision, and rounding makes some triangles flip or overlap. OBJ keeps all digits',
+  replaced: (set: number) => `New UVs replaced UV\u00a0${set}`,
+  replacedPainted: (set: number) => `New UVs replaced UV\u00a0${set}, which textures use`,
+  added: (set: number) => `New UVs are UV\u00a0${set}`,
+  addedToPainted: (set: number) => `New UVs are UV\u00a0${set}; textures keep theirs`,
 };
 
 /** Files that were saved. */
