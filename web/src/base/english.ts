@@ -48,7 +48,7 @@ export const HEAT_LEGEND = {
   percent: (value: string) => `${value}\u202f%`,
   underPercent: (value: string) => `under ${value}\u202f%`,
   ofSurface: (range: string, share: string) => `${range}: ${share} of the surface`,
-  selectBar: 'Click a bar to highlight its faces',
+  selectBar: 'A bar highlights its faces',
   worst: 'The worst 1\u202f% of the surface',
 };
 
@@ -582,6 +582,8 @@ export const CHART_LIST = {
   caption: 'Charts',
   more: (n: number) => `${counted(n, 'more chart')}: sort by another column to see others.`,
   show: (chart: number) => `Show chart ${chart}`,
+  stacked: (others: number[]) =>
+    `Stacked with ${others.length > 1 ? 'charts' : 'chart'} ${listed(others.map(count))}`,
   summary: (charts: number, largest: number, cutEdges: number, stretchRatio: number) => {
     const which = charts > 1 ? ', the largest' : '';
     const sizes = `${counted(charts, 'chart')}${which} of ${counted(largest, 'triangle')}`;
@@ -850,7 +852,7 @@ const loopOf = (edges: number) => (edges === 1 ? '1 edge' : `a loop of ${counted
 
 /** Seams that are edited. */
 export const SEAMS = {
-  toCut: 'Click a vertex to start a cut, double-click an edge to cut its loop',
+  toCut: 'Click a vertex to start a cut, double-click to cut a loop',
   toJoin: 'Click a seam to join its sides',
   toPaint: 'Drag over the mesh to paint a seam',
   toErase: 'Drag over seams to erase them',
@@ -861,6 +863,8 @@ export const SEAMS = {
   cutTo: (from: number, to: number, edges: number, length: number) =>
     `Vertex ${from} to ${to}: cut ${counted(edges, 'edge')}, ${measure(length)} long`,
   toEndCut: (from: number) => `From vertex ${from}: click the end of the cut, Esc cancels`,
+  /** There is a button for it. */
+  toEndCutByTouch: (from: number) => `From vertex ${from}: tap the end of the cut, or Cancel cut`,
   joinHere: (edges: number) => `Seam of ${counted(edges, 'edge')}: join`,
   neededHere: (edges: number) =>
     `Seam of ${counted(edges, 'edge')}: needed to keep its chart a disk`,
@@ -957,6 +961,13 @@ export const MOVING = {
   failed: (message: string) => `The charts were not moved: ${message}`,
   nothingMoved: 'Nothing was moved',
 };
+
+/** What is said of clicks and keys, for fingers: a second one cancels a stroke. */
+export const inTouchWords = (text: string): string =>
+  text
+    .replace(/\bClick\b/g, 'Tap')
+    .replace(/\bclick\b/g, 'tap')
+    .replace('Esc cancels', 'a second finger cancels');
 
 /** Vertices of the layout that are pinned. */
 export const PINS = {

@@ -50,7 +50,7 @@ export class ChartsTab {
     this.notes.replaceChildren(...lines.map((line) => create('li', '', line)));
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);
-    this.table.show(report, colors);
+    this.table.show(report, colors, outcome.stacks);
     this.showLocks();
     this.pack.disabled = false;
   }
