@@ -102,6 +102,12 @@ test('on a phone the bar is at the foot of the screen, and all else stays within
   await page.keyboard.press('Escape');
   await page.locator('#selection-none').tap();
   assert.ok(await page.isHidden('#selection'));
+
+  // Hints are in the words of fingers, and name no key.
+  assert.match(await textOf(page, '#seam-hint'), /^Tap a vertex .* double-tap/);
+  await page.locator('#mesh-canvas').tap();
+  await page.locator('#seam-cancel').waitFor();
+  assert.match(await textOf(page, '#seam-hint'), /: tap the end of the cut, or Cancel cut$/);
 });
 
 test('charts are hidden, isolated and shown again, by button and key', async (t) => {
