@@ -116,3 +116,10 @@ test('the farthest points of a mesh bound it in every direction, and are few', a
   }
   assert.equal(farthest(new Float32Array(), new Uint32Array()).length, 0);
 });
+
+test('large numbers have commas everywhere, and no more digits than tell them apart', async () => {
+  const { brief, count, measure } = await load('base/format');
+  assert.deepEqual([34144, 4720, 352].map(measure), ['34,144', '4,720', '352']);
+  assert.deepEqual([4720.4, 99.6, 0.00123].map(brief), ['4,720', '100', '0.0012']);
+  assert.equal(count(34144), measure(34144));
+});
