@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
+import { isPlain } from './layout.mjs';
 import {
   choose,
   drawn,
@@ -39,15 +40,7 @@ async function isEmpty(page) {
   await drawn(page);
   const { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
   const clip = { x: x + width / 4, y: y + height / 4, width: width / 2, height: height / 2 };
-  const png = [...(await page.screenshot({ clip }))];
-  return page.evaluate(async (png) => {
-    const picture = await createImageBitmap(new Blob([Uint8Array.from(png)]));
-    const { width, height } = picture;
-    const copy = new OffscreenCanvas(width, height).getContext('2d');
-    copy.drawImage(picture, 0, 0);
-    const pixels = new Uint32Array(copy.getImageData(0, 0, width, height).data.buffer);
-    return pixels.every((pixel) => pixel === pixels[0]);
-  }, png);
+  return isPlain(page, clip);
 }
 
 /** Nothing beside the mesh on screen is of the one before. */

@@ -3,8 +3,10 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { test } from 'node:test';
+import { grid } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
-import { drawn, dropAndWait, openPage, settled, textOf } from './page.mjs';
+import { isPlain } from './layout.mjs';
+import { choose, drawn, dropAndWait, openPage, settled, textOf } from './page.mjs';
 
 const TORUS = objText(torus(24, 12));
 const VIEWS = ['#mesh-canvas', '#layout-canvas'];
@@ -115,4 +117,36 @@ test('a click on a number of the result shows where it is worst', async (t) => {
   await page.selectOption('#shading', 'plain');
   await page.mouse.move(0, 0);
   assert.deepEqual(await pictures(page), plain);
+});
+
+/** Whether nothing is drawn where the legend lies. */
+async function isFreeOfLayout(page) {
+  const legend = page.locator('#legend');
+  const clip = await legend.boundingBox();
+  const show = (visibility) =>
+    legend.evaluate((element, visibility) => {
+      element.style.visibility = visibility;
+    }, visibility);
+  await show('hidden');
+  const isFree = await isPlain(page, clip);
+  await show('');
+  return isFree;
+}
+
+test('a fitted layout leaves its legend free, in one piece and in charts', async (t) => {
+  const page = await openPage(t, { open: ['grid.obj', grid(6)] });
+  await page.selectOption('#shading', 'area');
+  for (const mode of ['flatten', 'unwrap']) {
+    await choose(page, mode);
+    for (const [width, height] of [
+      [1440, 900],
+      [1024, 768],
+      [390, 844],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await page.locator('#layout-canvas').scrollIntoViewIfNeeded();
+      await drawn(page);
+      assert.ok(await isFreeOfLayout(page), `${mode}, ${width}`);
+    }
+  }
 });

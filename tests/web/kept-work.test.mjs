@@ -112,6 +112,7 @@ test('a tab with edits that no file has is marked, and asks before it is closed'
     await sheet.getByRole('heading').innerText(),
     'Close both.obj without exporting it?',
   );
+  assert.deepEqual(await sheet.locator('.primary').allInnerTexts(), ['Cancel']);
   await page.keyboard.press('Escape');
   await sheet.waitFor({ state: 'detached' });
   assert.deepEqual(await names(page), ['both.obj', 'next.obj']);

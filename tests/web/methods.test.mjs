@@ -83,6 +83,14 @@ test('methods are compared; a selected one is shown, marked, and not exported', 
   assert.ok(table.length >= 6);
   const names = table.map(([name]) => name.replaceAll('\n', ', '));
   assert.ok(names.some((name) => /^LSCM/.test(name)) && names.some((name) => /^Tutte/.test(name)));
+  for (const width of [1440, 1024]) {
+    await page.setViewportSize({ width, height: 768 });
+    const panel = page.locator('#panel-methods');
+    assert.ok(
+      await panel.evaluate((e) => e.scrollWidth <= e.clientWidth),
+      `all columns at ${width}`,
+    );
+  }
   // abflat's own free layout changes angles least, since that is what it minimises.
   const angular = (pattern) => Number(table[names.findIndex((name) => pattern.test(name))][2]);
   assert.ok(angular(/^abflat.*free/) < angular(/^Tutte/));

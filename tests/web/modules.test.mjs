@@ -54,13 +54,15 @@ test('crossings are found where they are, and only there', async () => {
   assert.equal(crossings(square, loop, 10).length, 0);
 });
 
-test('numbers keep three digits and a bounded length', async () => {
+test('numbers keep three digits, a bounded length, and commas', async () => {
   const { measure, brief, distortion, duration, bound } = await load('base/format');
   assert.equal(distortion(3.77e-31), '0');
   assert.equal(distortion(0.0025234, brief), '0.0025');
   assert.equal(measure(0.0025234), '0.00252');
   assert.equal(measure(1.6777), '1.68');
-  assert.equal(measure(12345.6), '12346');
+  assert.equal(measure(12345.6), '12,346');
+  assert.deepEqual([4720.4, 352.2].map(measure), ['4,720', '352']);
+  assert.equal(brief(4720.4), '4,720');
   assert.equal(measure(0.00001234), '1.23e-5');
   assert.equal(measure(Number.NaN), 'not finite');
   assert.equal(duration(0.0361), '36\u202fms');
@@ -69,7 +71,7 @@ test('numbers keep three digits and a bounded length', async () => {
   for (let x = 1e-9; x < 1e12; x *= 3.7) {
     assert.ok(measure(x).length <= 9, measure(x));
     assert.ok(brief(x).length <= 7, brief(x));
-    assert.ok(Math.abs(Number(brief(x)) - x) <= 0.06 * x, brief(x));
+    assert.ok(Math.abs(Number(brief(x).replace(',', '')) - x) <= 0.06 * x, brief(x));
   }
 });
 

@@ -171,6 +171,8 @@ test('a texel density may take several tiles, which are numbered', async (t) => 
     assert.ok(x >= box.x && x + width <= box.x + box.width, `tile ${1001 + i} is in view`);
     if (i > 0) assert.ok(x > places[i - 1].x && y === places[0].y, 'side by side');
   });
+  const row = ((places.at(-1).x - places[0].x) * tiles) / (tiles - 1);
+  assert.ok(row > box.width - 24, 'the tiles are as large as fits');
   await assertAsProgram(t, page, RINGS, ['--texel-density', String(density), '--udim']);
   // When zoomed out, there is no room for numbers.
   await page.focus('#layout-canvas');

@@ -80,7 +80,7 @@ export async function pointAtLoop(page, [a, b], [c, d], steps = 40) {
   for (let i = 0; i <= steps; ++i) {
     const place = [a + ((c - a) * i) / steps, b + ((d - b) * i) / steps];
     const text = await point(page, ...place);
-    if (/Double-click/.test(text)) return { place, text };
+    if (/Double-(click|tap)/.test(text)) return { place, text };
   }
   throw new Error('There is no edge between these places.');
 }

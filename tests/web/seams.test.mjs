@@ -104,7 +104,7 @@ test('what is done to seams before they can be edited waits for that', async (t)
   assert.ok(await page.isEnabled('#seam-cut'));
   assert.equal(
     await point(page, 0.5, 0.5),
-    'Click a vertex to start a cut, double-click an edge to cut its loop',
+    'Click a vertex to start a cut, double-click to cut a loop',
   );
   await click(page);
   const saving = page.waitForEvent('download');

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, together, torus } from '../support/surfaces.mjs';
 import { pixelOf } from './layout.mjs';
-import { choose, dropAndWait, openPage, settled, textOf } from './page.mjs';
+import { choose, drawn, dropAndWait, openPage, settled, textOf } from './page.mjs';
 
 /** Rings side by side, a chart each. */
 const RINGS = objText(together([0, 1, 2].map((i) => [torus(16, 8), [2.6 * i, 0, 0]])));
@@ -55,12 +55,59 @@ test('a click in the layout selects a chart in both views and in the list', asyn
   assert.equal(await picture(page, 'mesh'), mesh);
 });
 
-test('the bar of one chart covers nothing of a fitted atlas', async (t) => {
+test('the bar of one chart covers nothing of a fitted atlas, beside the details neither', async (t) => {
   const page = await opened(t);
   await clickChart(page, 'layout');
+  for (const details of [false, true]) {
+    if (details) await page.click('#details-toggle');
+    for (const [width, height] of [
+      [1440, 900],
+      [1280, 720],
+      [1024, 768],
+      [820, 1180],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await drawn(page);
+      const bar = await page.locator('#selection').boundingBox();
+      const [, top] = await pixelOf(page, [0, 1]);
+      assert.ok(bar.y + bar.height <= top, `${width}: ${bar.y} + ${bar.height}, atlas at ${top}`);
+      const { x, width: own } = await page.locator('#selection-hide').boundingBox();
+      assert.ok(x + own <= bar.x + bar.width, `${width}: all buttons are in the bar`);
+    }
+  }
+});
+
+test('on a phone the bar is at the foot of the screen, and all else stays within reach', async (t) => {
+  const viewport = { width: 390, height: 844 };
+  const page = await opened(t, { viewport, hasTouch: true, isMobile: true });
+  // As if the user had scrolled no further than to the upper part of the layout.
+  await page.evaluate(() => {
+    const { top } = document.querySelector('#layout-canvas').getBoundingClientRect();
+    scrollTo(0, scrollY + top + 130 - innerHeight);
+  });
+  const { x, y, width } = await page.locator('#layout-canvas').boundingBox();
+  for (let i = 1; i < 20 && (await page.isHidden('#selection')); ++i)
+    await page.touchscreen.tap(x + (i * width) / 20, y + 110);
   const bar = await page.locator('#selection').boundingBox();
-  const [, top] = await pixelOf(page, [0, 1]);
-  assert.ok(bar.y + bar.height <= top, `${bar.y} + ${bar.height}, the atlas begins at ${top}`);
+  assert.deepEqual([bar.x, bar.width, bar.y + bar.height], [0, viewport.width, viewport.height]);
+  const canvas = await page.locator('#layout-canvas').boundingBox();
+  assert.ok(canvas.y + canvas.height <= bar.y + 0.5, 'it covers nothing of the layout');
+
+  await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
+  const { y: top, height } = await page.locator('.dock').boundingBox();
+  assert.ok(top + height <= bar.y, 'the page ends above it');
+  await page.locator('#selection-arrange').tap();
+  const menu = await page.locator('#arrange-menu').boundingBox();
+  assert.ok(menu.y >= 0 && menu.y + menu.height <= bar.y, 'the menu opens above it');
+  await page.keyboard.press('Escape');
+  await page.locator('#selection-none').tap();
+  assert.ok(await page.isHidden('#selection'));
+
+  // Hints are in the words of fingers, and name no key.
+  assert.match(await textOf(page, '#seam-hint'), /^Tap a vertex .* double-tap/);
+  await page.locator('#mesh-canvas').tap();
+  await page.locator('#seam-cancel').waitFor();
+  assert.match(await textOf(page, '#seam-hint'), /: tap the end of the cut, or Cancel cut$/);
 });
 
 test('charts are hidden, isolated and shown again, by button and key', async (t) => {

@@ -114,7 +114,12 @@ test('a flattened mesh leaves nothing to scroll to in the dock of a narrow low w
 });
 
 test('labels and names never push anything out of its place', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { viewport: { width: 1440, height: 900 } });
+  const before = await page.locator('#layout-canvas').boundingBox();
+  await dropAndWait(page, 'ball.glb', await ballWithUvs());
+  assert.ok(await page.isVisible('#read-texcoord'));
+  const { height: now } = await page.locator('#layout-canvas').boundingBox();
+  assert.equal(now, before.height, 'a choice of UV sets takes nothing from the views');
   const name = `${'a-mesh-with-a-very-long-name-'.repeat(3)}.obj`;
   await dropAndWait(page, name, CUBE_OF_PARTS);
   // All sources, with the choice of what is read.
@@ -180,6 +185,60 @@ const outsideOfBars = (page) =>
       })
       .map(({ id }) => id),
   );
+
+/** What is cut off or can only be seen by scrolling. */
+const cutOff = (page) =>
+  page.evaluate(() =>
+    [
+      ...document.querySelectorAll(
+        '.ask, .result, .run, .run-text, .reason, .bound-head label, .panel, #seam-hint',
+      ),
+    ]
+      .filter((part) => part.checkVisibility())
+      .filter(
+        ({ scrollWidth, scrollHeight, clientWidth, clientHeight }) =>
+          scrollWidth > clientWidth || scrollHeight > clientHeight,
+      )
+      .map((part) => part.id || part.className || part.textContent),
+  );
+
+test('a tablet, upright or not, shows all options and numbers at once, and larger views', async (t) => {
+  const page = await openPage(t, { hasTouch: true, isMobile: true });
+  for (const mode of ['unwrap', 'flatten']) {
+    await choose(page, mode);
+    for (const [width, height] of [
+      [820, 1180],
+      [768, 1024],
+      [1180, 820],
+    ]) {
+      await resize(page, width, height);
+      assert.deepEqual(await cutOff(page), [], `${mode}, ${width}`);
+      const { height: own } = await page.locator('#layout-canvas').boundingBox();
+      assert.ok(own >= 0.3 * height, `${mode}, ${width}: the view has ${own} of ${height}`);
+    }
+  }
+});
+
+test('beside the details nothing is cut off', async (t) => {
+  const page = await openPage(t, { open: ['parts.obj', CUBE_OF_PARTS] });
+  await page.click('#details-toggle');
+  await resize(page, 1440, 900);
+  const info = page.locator('#mesh-info');
+  assert.match(await info.innerText(), /polygons, .* triangles$/);
+  assert.ok(await info.evaluate((e) => e.scrollWidth <= e.clientWidth && e.clientHeight <= 30));
+  await dropAndWait(page, 'ball.glb', await ballWithUvs());
+  for (const [width, height] of [
+    [1440, 900],
+    [1024, 768],
+  ]) {
+    await resize(page, width, height);
+    assert.deepEqual(await cutOff(page), [], String(width));
+    const field = page.locator('#layout-scale');
+    assert.ok(await field.evaluate((e) => e.scrollWidth <= e.clientWidth && e.clientWidth >= 44));
+    for (const id of ['#source', '#layout-info'])
+      assert.ok(await page.locator(id).evaluate((e) => e.scrollWidth <= e.clientWidth), id);
+  }
+});
 
 test('on a phone both views of an atlas together have most of the screen', async (t) => {
   const page = await openPage(t);

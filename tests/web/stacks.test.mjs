@@ -85,6 +85,14 @@ test('stacked charts are valid, stay stacked when all is packed again, and are e
   await packAgain(page);
   await isValid(page);
   areStacked(await atlas(page));
+  const marks = page.locator('#charts .stack-mark');
+  const others = (chart) => [0, 1, 2].filter((other) => other !== chart).join(' and ');
+  assert.deepEqual(
+    await marks.evaluateAll((all) =>
+      all.map((mark) => [Number(mark.closest('tr').dataset.chart), mark.title]),
+    ),
+    [0, 1, 2].map((chart) => [chart, `Stacked with charts ${others(chart)}`]),
+  );
   assert.ok((await utilization(page)) > 1.3 * unpacked, 'the room is used');
   // Other options pack anew as well.
   await page.selectOption('#resolution', '512');

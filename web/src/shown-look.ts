@@ -1,4 +1,5 @@
 import { SHOWN } from './base/english';
+import { isTouch } from './base/touch';
 import type { Notice } from './controls/notice';
 import type { Opened } from './model/model';
 import type { Views } from './view/views';
@@ -21,7 +22,7 @@ export class ShownLook {
     this.opened = opened;
     views.showAppearance(source, null);
     if (source.kind !== 'file') return;
-    const isPhone = window.matchMedia('(pointer: coarse)').matches;
+    const isPhone = isTouch();
     const read = await this.workshop
       .appearance(source, opened, memoryFor(isPhone))
       .catch(() => ({ appearance: null, remarks: [SHOWN.noMaterials(source.name)] }));

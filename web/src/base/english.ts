@@ -48,7 +48,7 @@ export const HEAT_LEGEND = {
   percent: (value: string) => `${value}\u202f%`,
   underPercent: (value: string) => `under ${value}\u202f%`,
   ofSurface: (range: string, share: string) => `${range}: ${share} of the surface`,
-  selectBar: 'Click a bar to highlight its faces',
+  selectBar: 'A bar highlights its faces',
   worst: 'The worst 1\u202f% of the surface',
 };
 
@@ -214,7 +214,7 @@ export const ABOUT_SAMPLES: Record<string, string> = {
   pumpkin: 'closed, textured',
 };
 
-/** `format` in capitals. */
+/** `format` in capitals; `set`: a texcoord set of a glTF, by the name that its choice gives it. */
 export const EXPORT = {
   export: (format: string) => `Export ${format}`,
   exportLast: 'Export last layout',
@@ -226,13 +226,11 @@ export const EXPORT = {
   notExported: 'Not exported',
   cancelled: 'Export cancelled',
   rounded:
-    'GLB stores single precision, and rounding makes some triangles flip or overlap. OBJ keeps all digits.',
-  replaced: (texcoord: number) => `New UVs replaced TEXCOORD_${texcoord}.`,
-  replacedPainted: (texcoord: number) =>
-    `New UVs replaced TEXCOORD_${texcoord}: textures painted for the old ones no longer fit.`,
-  added: (texcoord: number) => `New UVs are in TEXCOORD_${texcoord}.`,
-  addedToPainted: (texcoord: number) =>
-    `New UVs are in TEXCOORD_${texcoord}; textures keep theirs.`,
+    'GLB stores single precision, and rounding makes some triangles flip or overlap. OBJ keeps all digits',
+  replaced: (set: number) => `New UVs replaced UV\u00a0${set}`,
+  replacedPainted: (set: number) => `New UVs replaced UV\u00a0${set}, which textures use`,
+  added: (set: number) => `New UVs are UV\u00a0${set}`,
+  addedToPainted: (set: number) => `New UVs are UV\u00a0${set}; textures keep theirs`,
 };
 
 /** Files that were saved. */
@@ -589,6 +587,8 @@ export const CHART_LIST = {
   caption: 'Charts',
   more: (n: number) => `${counted(n, 'more chart')}: sort by another column to see others.`,
   show: (chart: number) => `Show chart ${chart}`,
+  stacked: (others: number[]) =>
+    `Stacked with ${others.length > 1 ? 'charts' : 'chart'} ${listed(others.map(count))}`,
   summary: (charts: number, largest: number, cutEdges: number, stretchRatio: number) => {
     const which = charts > 1 ? ', the largest' : '';
     const sizes = `${counted(charts, 'chart')}${which} of ${counted(largest, 'triangle')}`;
@@ -888,7 +888,7 @@ const loopOf = (edges: number) => (edges === 1 ? '1 edge' : `a loop of ${counted
 
 /** Seams that are edited. */
 export const SEAMS = {
-  toCut: 'Click a vertex to start a cut, double-click an edge to cut its loop',
+  toCut: 'Click a vertex to start a cut, double-click to cut a loop',
   toJoin: 'Click a seam to join its sides',
   toPaint: 'Drag over the mesh to paint a seam',
   toErase: 'Drag over seams to erase them',
@@ -899,6 +899,8 @@ export const SEAMS = {
   cutTo: (from: number, to: number, edges: number, length: number) =>
     `Vertex ${from} to ${to}: cut ${counted(edges, 'edge')}, ${measure(length)} long`,
   toEndCut: (from: number) => `From vertex ${from}: click the end of the cut, Esc cancels`,
+  /** There is a button for it. */
+  toEndCutByTouch: (from: number) => `From vertex ${from}: tap the end of the cut, or Cancel cut`,
   joinHere: (edges: number) => `Seam of ${counted(edges, 'edge')}: join`,
   neededHere: (edges: number) =>
     `Seam of ${counted(edges, 'edge')}: needed to keep its chart a disk`,
@@ -996,6 +998,13 @@ export const MOVING = {
   failed: (message: string) => `The charts were not moved: ${message}`,
   nothingMoved: 'Nothing was moved',
 };
+
+/** What is said of clicks and keys, for fingers: a second one cancels a stroke. */
+export const inTouchWords = (text: string): string =>
+  text
+    .replace(/\bClick\b/g, 'Tap')
+    .replace(/\bclick\b/g, 'tap')
+    .replace('Esc cancels', 'a second finger cancels');
 
 /** Vertices of the layout that are pinned. */
 export const PINS = {

@@ -41,7 +41,7 @@ export function measure(x: number): string {
   if (!Number.isFinite(x)) return 'not finite';
   if (x === 0) return '0';
   if (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e6) return x.toExponential(2);
-  return Number(x.toPrecision(3)) >= 100 ? x.toFixed(0) : x.toPrecision(3);
+  return Number(x.toPrecision(3)) >= 100 ? count(x) : x.toPrecision(3);
 }
 
 /** Values within rounding error count as no distortion. */
@@ -53,7 +53,7 @@ export function distortion(x: number, text = measure): string {
 export function brief(x: number): string {
   if (x === 0 || !Number.isFinite(x)) return measure(x);
   if (Math.abs(x) < 9.5e-5 || Math.abs(x) >= 9.95e3) return x.toExponential(1);
-  return Math.abs(x) < 99.5 ? x.toPrecision(2) : x.toFixed(0);
+  return Math.abs(x) < 99.5 ? x.toPrecision(2) : count(x);
 }
 
 export function duration(seconds: number): string {

@@ -2,6 +2,7 @@ import type { UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
 import { CHART_LIST, LOCKS, VALIDITY } from '../base/english';
 import { count } from '../base/format';
+import type { Stack } from '../model/stacks';
 import { svg } from '../plot/svg';
 import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './chart-rows';
 
@@ -31,6 +32,7 @@ export class ChartTable {
   private locks: ReadonlySet<number> = new Set();
   /** Those that cannot be unlocked here. */
   private keptUvs: ReadonlySet<number> = new Set();
+  private stacks: Stack[] = [];
   private selected: ReadonlySet<number> = new Set();
   private order: Order = { column: BY_FACES, descending: true };
 
@@ -44,9 +46,10 @@ export class ChartTable {
       this.body.addEventListener(type, () => events.pointed(null));
   }
 
-  show(report: UnwrapReport, colors: ArrayLike<number> | null): void {
+  show(report: UnwrapReport, colors: ArrayLike<number> | null, stacks: Stack[] = []): void {
     this.rows = chartRows(report);
     this.colors = colors;
+    this.stacks = stacks;
     this.fill();
   }
 
@@ -162,14 +165,30 @@ export class ChartTable {
     cell.scope = 'row';
     const button = create('button', 'chart-name');
     button.type = 'button';
-    button.setAttribute('aria-label', CHART_LIST.show(index));
     if (this.colors) {
       const swatch = create('span', 'swatch');
       swatch.style.background = `var(--chart-${this.colors[index]})`;
       button.append(swatch);
     }
     button.append(count(index));
+    button.ariaLabel = CHART_LIST.show(index);
+    const stack = this.stacks.find((stack) => stack.includes(index));
+    if (stack) {
+      const what = CHART_LIST.stacked(stack.filter((other) => other !== index));
+      button.append(stackMark(what));
+      button.ariaLabel += `. ${what}`;
+    }
     cell.append(button);
     return cell;
   }
+}
+
+/** Says which other charts lie on the same place. */
+function stackMark(what: string): HTMLElement {
+  const mark = create('span', 'stack-mark');
+  mark.title = what;
+  const icon = svg('svg', { class: 'icon', viewBox: '0 0 16 16', 'aria-hidden': 'true' });
+  icon.append(svg('path', { d: 'M2.500 5.500h8v8h-8zM5.500 5.500v-3h8v8h-3' }));
+  mark.append(icon);
+  return mark;
 }

@@ -56,7 +56,7 @@ export class ChartsTab {
     this.notes.hidden = lines.length === 0;
     this.summary.textContent = summary(report);
     this.summary.title = CHART_LIST.aboutSummary;
-    this.table.show(report, colors);
+    this.table.show(report, colors, outcome.stacks);
     this.showLocks();
     this.pack.disabled = false;
   }

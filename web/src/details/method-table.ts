@@ -1,7 +1,7 @@
 import type { MethodResult } from 'abflat';
 import { create } from '../base/dom';
 import { METHOD_COLUMNS, METHODS, VALIDITY } from '../base/english';
-import { brief, count, duration, sentence } from '../base/format';
+import { brief, count, distortion, duration, sentence } from '../base/format';
 
 interface ColumnOf {
   name: string;
@@ -94,5 +94,5 @@ function methodRow(method: MethodResult, select: (method: MethodResult) => void)
 }
 
 function orDash(value: number | null): string {
-  return value === null ? '\u2013' : brief(value);
+  return value === null ? '\u2013' : distortion(value, brief);
 }

@@ -28,7 +28,7 @@ export async function exportMesh(wish: Wish, writers: Writers): Promise<string> 
   download(name, TYPES[wish.format], file);
   const size = file instanceof Blob ? file.size : file.length;
   const exported = EXPORT.exported(name, SAVED.kilobytes(size));
-  return [...before(wish), exported + after(wish), ...remarks].join(' ');
+  return [exported + after(wish), ...setOf(wish), ...remarks].join('. ');
 }
 
 interface Output {
@@ -56,7 +56,8 @@ async function convert({ outcome, format }: Wish, name: string, writers: Writers
   return { file, remarks };
 }
 
-function before({ outcome, format, texcoord }: Wish): string[] {
+/** Which texcoord set has the new UVs, where a file may have several. */
+function setOf({ outcome, format, texcoord }: Wish): string[] {
   const { gltf } = outcome;
   if (format !== 'glb' || !gltf || (gltf.freeTexcoord === 0 && gltf.texcoordSets === 0)) return [];
   if (gltf.paintedSets.includes(texcoord)) return [EXPORT.replacedPainted(texcoord)];

@@ -68,14 +68,15 @@ export function drawTiles(pen: Pen, { x, y, pixelRatio }: Place, color: ColorOf)
   pen.save();
   pen.translate(x, y);
   pen.scale(pixelRatio, pixelRatio);
+  pen.strokeStyle = color('--view');
+  pen.lineWidth = 3;
+  pen.lineJoin = 'round';
   for (const tile of tiles.children) {
-    const { left, top, width, height } = tile.getBoundingClientRect();
-    const [at, from] = [left - around.left, top - around.top];
-    pen.beginPath();
-    pen.roundRect(at, from, width, height, 4);
-    pen.fillStyle = color('--panel');
-    pen.fill();
-    write(pen, tile.textContent ?? '', at + 5, from + 13, `12px ${fontOf()}`, color('--text'));
+    const { left, bottom } = tile.getBoundingClientRect();
+    const [at, base, text] = [left - around.left, bottom - around.top - 3, tile.textContent ?? ''];
+    pen.font = `11px ${fontOf()}`;
+    pen.strokeText(text, at, base);
+    write(pen, text, at, base, pen.font, color('--text'));
   }
   pen.restore();
 }

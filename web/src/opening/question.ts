@@ -7,7 +7,7 @@ export interface Question {
   paragraphs: string[];
   /** On the button that agrees. */
   yes: string;
-  /** Whether agreeing discards something, so that Enter does not. */
+  /** Whether agreeing discards something, so that Enter and the main button do not. */
   isRisky?: boolean;
 }
 
@@ -21,8 +21,9 @@ export function ask({ title, paragraphs, yes, isRisky = false }: Question): Prom
   form.method = 'dialog';
   const buttons = create('div', 'question-buttons');
   const [no, agree] = [answer(QUESTION.cancel, ''), answer(yes, 'yes')];
-  agree.classList.add('primary');
-  (isRisky ? no : agree).autofocus = true;
+  const usual = isRisky ? no : agree;
+  usual.classList.add('primary');
+  usual.autofocus = true;
   buttons.append(no, agree);
   form.append(heading, ...paragraphs.map((text) => create('p', '', text)), buttons);
   sheet.append(form);

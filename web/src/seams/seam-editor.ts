@@ -1,6 +1,7 @@
 import { SEAMS } from '../base/english';
 import { loadPart } from '../base/load-part';
 import { closesSomething, isMessageNext } from '../base/messages';
+import { isTouch } from '../base/touch';
 import { ShortestPaths } from '../surface/shortest-paths';
 import { Aim, type Modifiers, modifiersOf } from '../view/aim';
 import type { MeshView } from '../view/mesh-view';
@@ -220,10 +221,11 @@ export class SeamEditor {
     const isKnown = place >= 0 && paths.hasReached(place);
     const path = isKnown ? paths.to(place) : [];
     const vertices = Uint32Array.from([paths.start, ...listed(place)]);
+    const toEnd = isTouch() ? SEAMS.toEndCutByTouch : SEAMS.toEndCut;
     const text =
       path.length > 0
         ? SEAMS.cutTo(paths.start, place, path.length, paths.distanceTo(place))
-        : SEAMS.toEndCut(paths.start);
+        : toEnd(paths.start);
     this.mark({ ...NO_MARKS, cut: endsOf(model.graph, path), vertices }, text);
   }
 

@@ -1,4 +1,6 @@
 import { element } from '../base/dom';
+import { inTouchWords } from '../base/english';
+import { isTouch } from '../base/touch';
 
 export type Tool = 'cut' | 'join';
 
@@ -74,9 +76,10 @@ export class SeamTools {
   }
 
   setHint(text: string): void {
-    this.hint.textContent = text;
-    this.hint.title = text;
-    this.hint.hidden = text === '';
+    const hint = isTouch() ? inTouchWords(text) : text;
+    this.hint.textContent = hint;
+    this.hint.title = hint;
+    this.hint.hidden = hint === '';
   }
 
   /** There is nothing to paint with what selects. */

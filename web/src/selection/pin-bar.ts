@@ -1,5 +1,6 @@
 import { element } from '../base/dom';
-import { PINS } from '../base/english';
+import { inTouchWords, PINS } from '../base/english';
+import { isTouch } from '../base/touch';
 
 export interface PinBarActions {
   toggle(): void;
@@ -27,6 +28,6 @@ export class PinBar {
     this.bar.classList.toggle('busy', gesture !== null);
     this.removeAll.hidden = count === 0;
     const hint = count === 0 ? PINS.invitation : PINS.some(count);
-    this.text.textContent = gesture ?? hint;
+    this.text.textContent = gesture ?? (isTouch() ? inTouchWords(hint) : hint);
   }
 }

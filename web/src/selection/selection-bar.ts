@@ -23,6 +23,7 @@ export class SelectionBar {
   );
   /** What a gesture does so far. */
   private gesture: string | null = null;
+  private readonly isolate = element('selection-isolate', HTMLButtonElement);
   private readonly showAll = element('selection-show-all', HTMLButtonElement);
 
   constructor(actions: SelectionActions) {
@@ -38,10 +39,18 @@ export class SelectionBar {
   show({ selected, hidden }: ChartStates, report: UnwrapReport | null): void {
     this.bar.hidden = report === null || (selected.size === 0 && hidden.size === 0);
     for (const button of this.onSelected) button.hidden = selected.size === 0;
+    // It would show all, too.
+    this.isolate.hidden ||= hidden.size > 0;
     this.showAll.hidden = hidden.size === 0;
     if (!report || this.bar.hidden) return;
     this.text.textContent = this.gesture ?? selectionText(selected, hidden, report);
     this.bar.classList.toggle('busy', this.gesture !== null);
+  }
+
+  /** Scrolls a view out from under the bar, which is at the foot of a phone's screen. */
+  uncover(view: HTMLElement): void {
+    const isDocked = !this.bar.hidden && getComputedStyle(this.bar).position === 'fixed';
+    if (isDocked) view.scrollIntoView({ block: 'nearest' });
   }
 
   /** Shows what a gesture does in place of the buttons; null: the buttons again. */

@@ -123,7 +123,9 @@ export class SelectionPanel {
     const aim = new Aim(canvas, {
       moved: (at) => this.hover(name, chartAt(at)),
       clicked: (at, { shift }: Modifiers) => {
-        if (isFree()) this.selection.pick(chartAt(at), shift);
+        if (!isFree()) return;
+        this.selection.pick(chartAt(at), shift);
+        this.bar.uncover(canvas);
       },
     });
     this.views.onMoved(name, () => aim.refresh());

@@ -10,6 +10,7 @@ import { ChartFlags, type ChartStates, NO_STATES } from './chart-flags';
 import { ChartPicker } from './chart-picker';
 import { defineShading } from './define';
 import { EdgeLines } from './edge-lines';
+import { FitRoom } from './fit-room';
 import { type Chosen, choose, showMeasure } from './heat-uniforms';
 import { createLayoutMaterial, paintLayout } from './layout-material';
 import { LookTextures } from './look-textures';
@@ -24,11 +25,6 @@ import { Stage } from './stage';
 import { NONE_LIT } from './surface-material';
 import { TexelGrid } from './texel-grid';
 import { TileLabels } from './tile-labels';
-
-/** Css pixels between a fitted layout and the border of its pane. */
-const MARGIN = 28;
-/** The part of it by which an atlas is lower than the middle: the bar of what is selected is above. */
-const LOWER = 5 / 7;
 
 /** Css pixels; thin for atlases, whose charts may be many and small. */
 const OUTLINE = 2.25;
@@ -65,6 +61,7 @@ export class LayoutView {
   private middle: [number, number] = [0, 0];
   private unit = 1;
   private readonly labels = new TileLabels();
+  private readonly room: FitRoom;
   private moved: () => void = () => undefined;
   private mayPan: () => boolean = () => true;
   private states: ChartStates = NO_STATES;
@@ -79,6 +76,9 @@ export class LayoutView {
   private frames: Float32Array = new Float32Array();
 
   constructor(readonly canvas: HTMLCanvasElement) {
+    this.room = new FitRoom(canvas, () => {
+      if (this.isFitted) this.fit();
+    });
     this.panZoom = new PanZoom(canvas, {
       isFree: () => this.mayPan(),
       moved: () => {
@@ -346,12 +346,12 @@ export class LayoutView {
   }
 
   private look(x: number, y: number, size: [number, number]): void {
-    const margin = Math.min(MARGIN, this.stage.width / 14, this.stage.height / 14);
-    const across = (this.stage.width - 2 * margin) / (size[0] || 1);
-    const down = (this.stage.height - 2 * margin) / (size[1] || 1);
+    const { width, height } = this.stage;
+    const { side, top, bottom } = this.room.margins(this.stage, this.tiles > 0);
+    const across = (width - 2 * side) / (size[0] || 1);
+    const down = (height - top - bottom) / (size[1] || 1);
     const scale = Math.min(across, down);
-    const lower = this.tiles > 0 ? LOWER * margin : 0;
-    this.panZoom.set(x, y + lower / scale, scale);
+    this.panZoom.set(x, y + (top - bottom) / 2 / scale, scale);
     this.stage.invalidate();
   }
 

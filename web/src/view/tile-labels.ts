@@ -2,7 +2,7 @@ import { create, element } from '../base/dom';
 import { tileAt } from '../mesh/tiles';
 
 /** In css pixels: the numbers of smaller tiles would overlap. */
-const LEAST_SIDE = 56;
+const LEAST_SIDE = 44;
 
 /** Where a tile's lower left corner lies in the view and how large the tile is, in css pixels. */
 export interface TilePlacement {
