@@ -209,11 +209,13 @@ test('a chart under the pointer stands out in the other view', async (t) => {
 
 test('another layout, another mesh and one piece have no selection', async (t) => {
   const page = await opened(t);
-  await clickChart(page, 'layout');
-  await page.click('#selection-hide');
   await page.click('#seams-auto');
   await settled(page);
-  assert.ok(await page.isVisible('#selection-show-all'), 'each ring is still one chart');
+  await clickChart(page, 'layout');
+  await page.click('#selection-hide');
+  await page.selectOption('#resolution', '2048');
+  await settled(page);
+  assert.ok(await page.isVisible('#selection-show-all'), 'the charts are the same');
   await page.click('#seams-sharp');
   await page.fill('#sharp-degrees', '20');
   await settled(page);

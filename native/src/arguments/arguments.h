@@ -18,7 +18,7 @@ struct UnwrapCommand {
   bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
   std::optional<std::size_t> texcoord;  ///< number of the glTF set to write; none: auto
   GltfReadOptions gltf;
-  std::string report;                   ///< empty: not wanted
+  std::string report;  ///< empty: not wanted
   UnwrapOptionValues options;
   SeamSources seams;
   std::string seamFile;  ///< edges to cut along; empty: none

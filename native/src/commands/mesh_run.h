@@ -104,8 +104,8 @@ class MeshRun {
   Result<Outcome> computeFromInput() {
     const std::string name = inputName(command_.input);
     progress_.show({Stage::Read, 0, 0, 0});
-    Result<InputMesh> input = readInput(
-        command_.input, {Job::kRepeated, command_.allowsOutside, Job::gltf(command_)});
+    Result<InputMesh> input =
+        readInput(command_.input, {Job::kRepeated, command_.allowsOutside, Job::gltf(command_)});
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status;
     input_ = std::move(input.value);

@@ -81,8 +81,8 @@ Result<InputMesh> readInput(const std::string& path, const ReadOptions& options)
     Result<std::string> bytes = readBytes(path);
     if (!bytes.ok()) return bytes.status;
     out.bytes = std::move(bytes.value);
-    const Status status = isGltf(path, out.bytes) ? readGltfInput(path, options.gltf, out)
-                                                  : readMeshInput(path, out);
+    const Status status =
+        isGltf(path, out.bytes) ? readGltfInput(path, options.gltf, out) : readMeshInput(path, out);
     if (!status.ok()) return status;
     if (out.gltf && options.repeated == Repeated::Join) joinRepeated(out);
     return out;
