@@ -66,21 +66,18 @@ export async function clickOn(page, view, place) {
   await page.mouse.up();
 }
 
-/** Drags from a place by pixels. */
-export async function dragOn(page, view, place, [right, down]) {
-  const [x, y] = await placeOn(page, view, place);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + right, y + down, { steps: 6 });
-  await page.mouse.up();
-}
-
 /** Where the fitted layout shows a point of the unit square. */
 export async function placeOfUv(page, [u, v]) {
-  const { width, height } = await page.locator('#layout-canvas').boundingBox();
-  const margin = Math.min(28, width / 14, height / 14);
-  const side = Math.min(width, height) - 2 * margin;
-  return [0.5 + ((u - 0.5) * side) / width, 0.5 - ((v - 0.5) * side) / height];
+  const canvas = page.locator('#layout-canvas');
+  const { width, height } = await canvas.boundingBox();
+  // The room that a fitted atlas leaves for the bar of a selection.
+  const above = await canvas.evaluate((element) =>
+    Number.parseFloat(getComputedStyle(element).getPropertyValue('--above')),
+  );
+  const margin = 8;
+  const side = Math.min(width - 2 * margin, height - above - margin);
+  const middle = (above + height - margin) / 2;
+  return [0.5 + ((u - 0.5) * side) / width, (middle - (v - 0.5) * side) / height];
 }
 
 /** Takes the pointer off everything that answers to it. */
