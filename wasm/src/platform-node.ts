@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { Worker } from 'node:worker_threads';
+import { Worker, type WorkerOptions } from 'node:worker_threads';
 import { AbflatError, messageOf } from './base/errors.js';
 import { ownFields } from './messages/fields.js';
 import type { FromWorker } from './messages/protocol.js';
@@ -38,12 +38,14 @@ export const node: Platform = {
 
   startWorker(events, _build, address) {
     // The worker must not inherit the flags of the process; some, such as --input-type, would stop
-    // it.
-    const options = ownFields({ execArgv: [] });
+    // it. Bundlers only find a worker whose options are written beside it.
     const worker =
       address === undefined
-        ? new Worker(new URL('./worker-node.js', import.meta.url), options)
-        : new Worker(pathToFileURL(pathOf(address)), options);
+        ? new Worker(new URL('./worker-node.js', import.meta.url), {
+            __proto__: null,
+            execArgv: [],
+          } as WorkerOptions)
+        : new Worker(pathToFileURL(pathOf(address)), ownFields({ execArgv: [] }));
     worker.unref();
     worker.on('message', (message: FromWorker) => events.onMessage(message));
     worker.on('messageerror', (error) => events.onCrash(crash(error)));

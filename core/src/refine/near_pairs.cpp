@@ -13,7 +13,9 @@ namespace {
 /// square.
 class EdgeGrid {
  public:
-  EdgeGrid(const std::vector<double>& points, double reach) : points_(points), reach_(reach) {
+  EdgeGrid(const std::vector<double>& points, double reach,
+           const std::vector<std::uint8_t>& isAsked)
+      : points_(points), reach_(reach) {
     const std::uint32_t n = count();
     double length = 0;
     low_[0] = low_[1] = HUGE_VAL;
@@ -22,7 +24,8 @@ class EdgeGrid {
       for (std::size_t d = 0; d < 2; ++d) low_[d] = std::min(low_[d], at(i, d));
     }
     side_ = std::max(2 * reach, length / n);
-    for (std::uint32_t i = 0; i < n; ++i) addEdge(i);
+    for (std::uint32_t i = 0; i < n; ++i)
+      if (isAsked.empty() || isAsked[i]) addEdge(i);
     std::sort(edges_.begin(), edges_.end());
   }
 
@@ -79,14 +82,22 @@ class EdgeGrid {
 }  // namespace
 
 std::vector<NearPair> findNearPairs(const std::vector<double>& points, double reach) {
-  const EdgeGrid grid(points, reach);
-  const std::uint32_t n = grid.count();
   std::vector<NearPair> out;
-  for (std::uint32_t p = 0; p < n; ++p)
-    grid.forEdgesNear(p, [&](std::uint32_t e) {
-      if (e != p && (e + 1) % n != p) out.push_back({p, e});
-    });
+  forNearPairs(points, reach, {}, [&](const NearPair& pair) { out.push_back(pair); });
   return out;
+}
+
+void forNearPairs(const std::vector<double>& points, double reach,
+                  const std::vector<std::uint8_t>& isAsked,
+                  const std::function<void(const NearPair&)>& use) {
+  const EdgeGrid grid(points, reach, isAsked);
+  const std::uint32_t n = grid.count();
+  for (std::uint32_t p = 0; p < n; ++p) {
+    if (!isAsked.empty() && !isAsked[p]) continue;
+    grid.forEdgesNear(p, [&](std::uint32_t e) {
+      if (e != p && (e + 1) % n != p) use({p, e});
+    });
+  }
 }
 
 }  // namespace abflat

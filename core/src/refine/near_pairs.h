@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace abflat {
@@ -13,5 +14,11 @@ struct NearPair {
 /// All pairs at most `reach` apart, by point and then by edge; may include some that are farther
 /// apart. Close to linear if few are near.
 std::vector<NearPair> findNearPairs(const std::vector<double>& points, double reach);
+
+/// The same without keeping them, and only for points that are asked for and edges that begin at
+/// one; empty: all.
+void forNearPairs(const std::vector<double>& points, double reach,
+                  const std::vector<std::uint8_t>& isAsked,
+                  const std::function<void(const NearPair&)>& use);
 
 }  // namespace abflat

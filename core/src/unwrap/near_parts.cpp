@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/point2.h"
 #include "mesh/triangle_geometry.h"
@@ -89,6 +90,20 @@ Steps stepsOf(const PlacedOutline& outline, double padding) {
   return out;
 }
 
+/// Where an outline is so dense that very many points are near each other, some of them are enough.
+std::vector<std::uint8_t> pointsToAsk(const std::vector<double>& uv, double padding) {
+  constexpr std::size_t kMost = 64;  // per square of one padding: all but in such places
+  std::map<std::array<double, 2>, std::vector<std::uint32_t>> squares;
+  for (std::uint32_t i = 0; i < uv.size() / 2; ++i)
+    squares[{std::floor(uv[2 * i] / padding), std::floor(uv[2 * i + 1] / padding)}].push_back(i);
+  std::vector<std::uint8_t> out(uv.size() / 2, 0);
+  for (const auto& [square, points] : squares) {
+    const std::size_t step = (points.size() + kMost - 1) / kMost;
+    for (std::size_t k = 0; k < points.size(); k += step) out[points[k]] = 1;
+  }
+  return out;
+}
+
 class Search {
  public:
   Search(const PlacedOutline& outline, double padding)
@@ -98,9 +113,9 @@ class Search {
 
   NearParts run() {
     out_.gap = padding_;
-    for (const NearPair& pair : findNearPairs(steps_.at.uv, padding_)) look(pair.point, pair.edge);
-    std::sort(out_.edges.begin(), out_.edges.end());
-    out_.edges.erase(std::unique(out_.edges.begin(), out_.edges.end()), out_.edges.end());
+    forNearPairs(steps_.at.uv, padding_, pointsToAsk(steps_.at.uv, padding_),
+                 [this](const NearPair& pair) { look(pair.point, pair.edge); });
+    dropRepeated();
     return std::move(out_);
   }
 
@@ -146,12 +161,24 @@ class Search {
   }
 
   void add(std::uint32_t a, std::uint32_t b) {
-    if (a != b) out_.edges.push_back({std::min(a, b), std::max(a, b)});
+    if (a == b) return;
+    out_.edges.push_back({std::min(a, b), std::max(a, b)});
+    if (out_.edges.size() < most_) return;
+    dropRepeated();
+    most_ = std::max(kFew, 2 * out_.edges.size());
   }
+
+  void dropRepeated() {
+    std::sort(out_.edges.begin(), out_.edges.end());
+    out_.edges.erase(std::unique(out_.edges.begin(), out_.edges.end()), out_.edges.end());
+  }
+
+  static constexpr std::size_t kFew = std::size_t{1} << 16;
 
   const Steps steps_;
   const double padding_;
   const std::uint32_t last_;  ///< edge of the outline
+  std::size_t most_ = kFew;   ///< pairs of edges, before repeated ones are dropped
   NearParts out_;
 };
 

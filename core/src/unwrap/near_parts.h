@@ -26,7 +26,8 @@ struct PlacedOutline {
 /// places nearest to each other are more than 4 times that apart in space and 16 times that along
 /// the outline. What is nearer in space is mixed by filtering anyway, such as the two sides of a
 /// seam that ends in the chart; and the two sides of a notch always meet at its end. Looks at
-/// places at most two paddings apart. Close to linear if few are near.
+/// places at most two paddings apart, and only at some where very many are near. Close to linear if
+/// few are near.
 NearParts findNearParts(const PlacedOutline& outline, double padding);
 
 }  // namespace abflat

@@ -69,8 +69,8 @@ IdVector<ChartId, NearParts> nearPartsOf(const PackedCharts& packed,
   parallelFor(&packed.pool, set.size(), [&](std::size_t k) {
     const ChartId i(k);
     const ChartTopology chart = set.topology(i);
-    // An outline that crosses itself is told of otherwise.
-    if (!flat[i].problem.empty()) return;
+    // An outline that crosses itself is told of otherwise; what is projected is as near in space.
+    if (!flat[i].problem.empty() || flat[i].solver == Solver::Projection) return;
     out[i] = findNearParts(placedOutline(chart, flat[i], positions, options.resolution),
                            options.padding);
   });
