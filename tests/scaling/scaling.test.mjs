@@ -9,8 +9,8 @@ import { BUILD } from '../../scripts/lib/paths.mjs';
 
 const PROGRAM = join(BUILD, 'steps/tests/abflat_scaling');
 /** So far apart that it hardly counts where between them something else begins to be worth trying. */
-const FACES = 6000;
-const TIMES = 16;
+const FACES = 12000;
+const TIMES = 8;
 const EXPONENT = 1.3;
 /** Steps that a mesh of any size may take in addition: clearing tables, first attempts. */
 const FREE_STEPS = 2e6;
