@@ -22,6 +22,10 @@ async function openSweep(page) {
 const sweepEnded = (page) =>
   page.waitForFunction(() => document.querySelector('#sweep').textContent === 'Plot against t');
 
+/** The chart is drawn a moment after its last point is known; its table has a row of headings. */
+const allDrawn = (page) =>
+  page.waitForFunction(() => document.querySelectorAll('#sweep-chart table tr').length === 11);
+
 test('the pane opens and closes; its tabs answer to arrow keys', async (t) => {
   const page = await openPage(t, { mode: 'flatten', open: ['waves.obj', grid(6)] });
   assert.ok(await page.isHidden('#details'));
@@ -103,6 +107,7 @@ test('distortion against t: point by point, valid and not, a point selects its t
   await page.click('#sweep');
   await page.waitForFunction(() => document.querySelector('#sweep-chart .chart-mark'));
   await sweepEnded(page);
+  await allDrawn(page);
   const rows = await tableOf(page, '#sweep-chart');
   assert.deepEqual(
     rows.map(([bound]) => bound),
@@ -152,5 +157,5 @@ test('a sweep can be stopped, and gives way to the run the user asks for', async
 
   await page.click('#sweep');
   await sweepEnded(page);
-  assert.equal((await tableOf(page, '#sweep-chart')).length, 10);
+  await allDrawn(page);
 });
