@@ -39,3 +39,25 @@ TEST_CASE("points near edges are found wherever they are", "[refine]") {
     CHECK(missed == 0);
   }
 }
+
+TEST_CASE("only pairs of points and edges that are asked for are found, and all of them",
+          "[refine]") {
+  constexpr double kReach = 0.2;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(-1, 1);
+  std::vector<double> points;
+  std::vector<std::uint8_t> isAsked;
+  for (int i = 0; i < 200; ++i) {
+    points.insert(points.end(), {place(random), place(random)});
+    isAsked.push_back(place(random) > 0);
+  }
+  std::size_t wanted = 0, found = 0;
+  for (const NearPair& pair : findNearPairs(points, kReach))
+    wanted += isAsked[pair.point] && isAsked[pair.edge];
+  forNearPairs(points, kReach, isAsked, [&](const NearPair& pair) {
+    ++found;
+    CHECK((isAsked[pair.point] && isAsked[pair.edge]));
+  });
+  CHECK(wanted > 0);
+  CHECK(found == wanted);
+}
