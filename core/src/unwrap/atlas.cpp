@@ -89,7 +89,7 @@ double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& 
   return onSurface > 0 && inUv > 0 ? resolution * std::sqrt(inUv / onSurface) / packed.unit : 0;
 }
 
-/// New charts get the texels that kept ones have, and none of the room that is left.
+/// Whether islands of the input stay: then new charts get as many texels per unit, not all the room.
 bool keepsIslands(const FlatCharts& flat) {
   return std::any_of(flat.begin(), flat.end(), [](const FlatChart& c) { return c.isGiven; });
 }
