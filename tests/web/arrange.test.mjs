@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { boxArray, objText, together, torus } from '../support/surfaces.mjs';
-import { atlas, middleOf, pixelOf } from './layout.mjs';
+import { arrangeAll, atlas, middleOf, pixelOf } from './layout.mjs';
 import { drawn, openPage, pathOf, settled, textOf } from './page.mjs';
 
 /** Two rings side by side. */
@@ -187,11 +187,7 @@ test('locked charts cannot be moved; what else is selected can', async (t) => {
   await page.mouse.up();
   await drawn(page);
   assert.deepEqual((await atlas(page)).uv, before.uv, 'the drag has panned');
-  await page.focus('#layout-canvas');
-  await page.keyboard.press('a');
-  await page.keyboard.press('g');
-  await page.keyboard.type('1');
-  await page.keyboard.press('Enter');
+  await arrangeAll(page, 'g', '1');
   await placed(page);
   const after = await atlas(page);
   after.uv.forEach((corners, f) => {

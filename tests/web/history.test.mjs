@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { parseObj } from '../support/atlas.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
+import { arrangeAll } from './layout.mjs';
 import { dropAndWait, exportMesh, metrics, openPage, pathOf, settled, textOf } from './page.mjs';
 
 const BOTH = objText(
@@ -140,11 +141,7 @@ test('each kind of layout is as it was left, without a run, until something else
     await page.click('#undo');
     await settled(page);
   };
-  await page.focus('#layout-canvas');
-  await page.keyboard.press('a');
-  await page.keyboard.press('s');
-  await page.keyboard.type('.5');
-  await page.keyboard.press('Enter');
+  await arrangeAll(page, 's', '.5');
   await settled(page);
   const arranged = await exported(page);
   await page.click('#mode-flatten');

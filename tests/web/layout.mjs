@@ -42,3 +42,12 @@ export async function isPlain(page, clip) {
     return pixels.every((pixel) => pixel === pixels[0]);
   }, png);
 }
+
+/** Moves, turns or scales all charts that may be moved: `key` and the number that follows it. */
+export async function arrangeAll(page, key, number) {
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('a');
+  await page.keyboard.press(key);
+  await page.keyboard.type(number);
+  await page.keyboard.press('Enter');
+}

@@ -7,6 +7,7 @@ import { chartsOf, parseObj } from '../support/atlas.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
+import { arrangeAll } from './layout.mjs';
 import { loadModule } from './modules.mjs';
 import { dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
@@ -144,11 +145,7 @@ test('charts that keep the uv of the file are locked: nothing is said to move th
   assert.equal((await atlas(page)).text, before.text);
 
   // Of all charts, the one that is new moves.
-  await page.focus('#layout-canvas');
-  await page.keyboard.press('a');
-  await page.keyboard.press('s');
-  await page.keyboard.type('.5');
-  await page.keyboard.press('Enter');
+  await arrangeAll(page, 's', '.5');
   await settled(page);
   assert.match(await textOf(page, '#run-text'), /^Scaled chart \d+, checked in/);
   const after = await atlas(page);

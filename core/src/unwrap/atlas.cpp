@@ -89,7 +89,7 @@ double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& 
   return onSurface > 0 && inUv > 0 ? resolution * std::sqrt(inUv / onSurface) / packed.unit : 0;
 }
 
-/// Whether islands of the input stay: then new charts get as many texels per unit, not all the room.
+/// Whether islands of the input stay: new charts get their texel density then, not all the room.
 bool keepsIslands(const FlatCharts& flat) {
   return std::any_of(flat.begin(), flat.end(), [](const FlatChart& c) { return c.isGiven; });
 }
