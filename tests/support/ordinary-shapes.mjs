@@ -135,14 +135,15 @@ function turnedShapes() {
       shape(
         `lid of ${sides} sides`,
         turned(outline('1.8 0.4, 1.8 0, 2 0, 2 0.5'), sides, 'polygon'),
+        // A long strip may be cut in two, to be no longer than the discs are wide.
         {
-          charts: [3, 5],
+          charts: [3, 7],
           sd: UNROLLED,
           isSeam: (edge) => edge.bend > 60 || isRule(edge),
         },
       ),
       shape(`disc of ${sides} sides`, turned(outline('2 0, 2 0.1'), sides, 'polygon'), {
-        charts: [3, 3],
+        charts: [3, 5],
         sd: UNROLLED,
         isSeam: (edge) => edge.bend > 60 || isAlong(1)(edge),
       }),
