@@ -16,6 +16,18 @@ Status validateExtras(const PolygonMesh& mesh) {
     return invalid("every face corner needs one texcoord");
   if (!mesh.faceMaterials.empty() && mesh.faceMaterials.size() != mesh.faceCount())
     return invalid("every face needs one material");
+  if (mesh.normals.size() % 3 != 0)
+    return invalid("the number of coordinates of normals is not a multiple of 3");
+  if (!mesh.faceNormals.empty() && mesh.faceNormals.size() != mesh.faceVertices.size())
+    return invalid("every face corner needs one normal");
+  if (!mesh.faceSmoothing.empty() && mesh.faceSmoothing.size() != mesh.faceCount())
+    return invalid("every face needs one smoothing group");
+  const std::size_t normals = mesh.normals.size() / 3;
+  for (std::size_t c = 0; c < mesh.faceNormals.size(); ++c)
+    if (mesh.faceNormals[c] != kNoNormal && mesh.faceNormals[c] >= normals)
+      return invalid("face corner " + std::to_string(c) + " refers to normal " +
+                     std::to_string(mesh.faceNormals[c]) + ", but there are only " +
+                     std::to_string(normals) + " (indices start at 0)");
   const std::size_t count = mesh.texcoords.size() / 2;
   for (std::size_t c = 0; c < mesh.faceTexcoords.size(); ++c)
     if (mesh.faceTexcoords[c] != kNoTexcoord && mesh.faceTexcoords[c] >= count)
