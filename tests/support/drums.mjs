@@ -37,11 +37,12 @@ export function drum(sides = 24, rows = 3) {
 }
 
 /** The shading normal of a vertex in a part. */
-const normalOf = ([x, y], part) => [
-  [0, 0, -1],
-  [x, y, 0],
-  [0, 0, 1],
-][part];
+const normalOf = ([x, y], part) =>
+  [
+    [0, 0, -1],
+    [x, y, 0],
+    [0, 0, 1],
+  ][part];
 
 const lines = (keyword, rows) => rows.map((row) => `${keyword} ${row.join(' ')}\n`).join('');
 

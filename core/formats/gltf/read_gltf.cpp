@@ -33,8 +33,8 @@ std::array<double, 3> moved(const Matrix& m, const double* p) {
   return out;
 }
 
-/// By the cofactors of the matrix, so that it stays normal to the surface; faces outwards as before,
-/// even if the matrix mirrors.
+/// By the cofactors of the matrix, so that it stays normal to the surface; faces outwards as
+/// before, even if the matrix mirrors.
 std::array<double, 3> movedNormal(const Matrix& m, const double* n) {
   const auto cofactor = [&](std::size_t row, std::size_t column) {
     const std::size_t r = (row + 1) % 3, s = (row + 2) % 3;

@@ -31,8 +31,8 @@ struct SeamMesh {
   /// Cost of a seam along a half-edge: its length, less if it is hidden. kBarredCost where holes
   /// have to stay filled, infinite within a polygon.
   IdVector<SurfaceCorner, double> cost;
-  /// Whether the file says that shading breaks along a half-edge; empty if it does not say. Edges of
-  /// triangles that fill holes may be missing.
+  /// Whether the file says that shading breaks along a half-edge; empty if it does not say. Edges
+  /// of triangles that fill holes may be missing.
   IdVector<SurfaceCorner, std::uint8_t> isHard;
   IdVector<SurfaceCorner, double> weight;  ///< cotangent of the edge, positive; equal to its twin's
   IdVector<SurfaceVertex, double> vertexArea;  ///< a third of the area of the triangles around it

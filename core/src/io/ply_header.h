@@ -54,7 +54,7 @@ struct PlyHeader {
   bool hasStrips = false;           ///< `face` is made of triangle strips, which -1 ends
   std::size_t x = 0, y = 0, z = 0;  ///< properties of a vertex
   std::array<std::size_t, 3> normal = {kNoIndex, kNoIndex, kNoIndex};  ///< nx, ny, nz; all or none
-  std::size_t corners = kNoIndex;   ///< property of a face or strip: the list of its vertices
+  std::size_t corners = kNoIndex;  ///< property of a face or strip: the list of its vertices
 
   // Properties that hold texcoords; kNoIndex if there are none.
   std::size_t u = kNoIndex, v = kNoIndex;  ///< of a vertex; unused if corners have texcoords

@@ -96,24 +96,23 @@ class ObjReader {
     if (line.kind == ObjLine::Kind::Vertex) return vertex(line);
     if (line.kind == ObjLine::Kind::Face) return face(line);
     if (line.kind == ObjLine::Kind::Texcoord) texcoord(line);
-    if (line.kind == ObjLine::Kind::Other) other(line.text);
+    if (line.kind == ObjLine::Kind::Other) other(line);
     return {};
   }
 
-  void other(std::string_view line) {
-    const std::string_view keyword = takeWord(line);
-    const std::string_view rest = restOfLine(line);
-    if (keyword == "vn") takeNumbers(rest, 3, mesh_.normals);
-    if (keyword == "s") smoothing(rest);
-    if (keyword == "usemtl") material(rest);
+  void other(const ObjLine& line) {
+    std::string_view rest = line.text;
+    const std::string_view keyword = takeWord(rest);
+    if (keyword == "vn") normal(line.arguments);
+    if (keyword == "s") smoothing(line.arguments);
+    if (keyword == "usemtl") material(restOfLine(rest));
   }
 
-  /// What is not a number becomes NaN.
-  static void takeNumbers(std::string_view words, int count, std::vector<double>& out) {
-    for (int d = 0; d < count; ++d) {
+  void normal(std::string_view words) {
+    for (int d = 0; d < 3; ++d) {
       double value = 0;
       if (!parseDouble(takeWord(words), value)) value = std::numeric_limits<double>::quiet_NaN();
-      out.push_back(value);
+      mesh_.normals.push_back(value);
     }
   }
 
@@ -209,7 +208,8 @@ class ObjReader {
     mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
   }
 
-  /// Appends texcoords or normals of the corners of a face, of which `known` are in the file so far.
+  /// Appends texcoords or normals of the corners of a face, of which `known` are in the file so
+  /// far.
   void appendIndices(std::int64_t ObjCorner::*index, std::size_t known,
                      std::vector<std::uint32_t>& out) const {
     static_assert(kNoTexcoord == kNoNormal, "both mean none");
@@ -274,7 +274,7 @@ class ObjReader {
   std::uint32_t material_ = 0;                                   ///< of the faces to come
   std::uint32_t smoothing_ = 0;                                  ///< likewise
   bool hasSmoothing_ = false;
-  std::int64_t largestIndex_ = 0;                                ///< of all faces, counted from 1
+  std::int64_t largestIndex_ = 0;  ///< of all faces, counted from 1
   std::size_t largestIndexLine_ = 0;
 };
 

@@ -96,8 +96,7 @@ class TextReader {
         if (end == nullptr || !std::isfinite(xyz[d])) return false;
         c.at = end;
         if (!c.atWordEnd()) return false;
-      } else if (const std::size_t n = normalAxis(p);
-                 n < 3 || p == header_.u || p == header_.v) {
+      } else if (const std::size_t n = normalAxis(p); n < 3 || p == header_.u || p == header_.v) {
         double& number = n < 3 ? normal[n] : uv[p == header_.u ? 0 : 1];
         const char* const end = scanDouble(c.at, c.end, number);
         if (end == nullptr) return false;

@@ -1,6 +1,7 @@
 #include "seam/hard_edges.h"
 
 #include <cmath>
+#include <vector>
 
 #include "seam/bend.h"
 
@@ -23,21 +24,32 @@ Seams edgesThat(const Surface& surface, const IsHard& isHard) {
   return out;
 }
 
+/// Zero for a normal that has no direction.
+std::vector<Vec3> unitNormals(const std::vector<double>& normals) {
+  std::vector<Vec3> out;
+  out.reserve(normals.size() / 3);
+  for (std::size_t i = 0; i < normals.size(); i += 3) {
+    Vec3 n{normals[i], normals[i + 1], normals[i + 2]};
+    const double length = norm(n);
+    const bool hasDirection = std::isfinite(length) && length > 0;
+    for (double& x : n) x = hasDirection ? x / length : 0;
+    out.push_back(n);
+  }
+  return out;
+}
+
 Seams byNormals(const SurfaceMap& map) {
   const PolygonMesh& input = map.input();
-  const auto given = [&](SurfaceCorner c) { return input.faceNormals[map.corner(c)]; };
-  const auto normal = [&](SurfaceCorner c) {
-    const std::size_t i = given(c);
-    if (i == kNoNormal) return facetNormal(map, triangleOf(c));
-    Vec3 n{input.normals[3 * i], input.normals[3 * i + 1], input.normals[3 * i + 2]};
-    const double length = norm(n);
-    if (!std::isfinite(length) || !(length > 0)) return facetNormal(map, triangleOf(c));
-    for (double& x : n) x /= length;
-    return n;
+  const std::vector<Vec3> normals = unitNormals(input.normals);
+  const auto given = [&](SurfaceCorner c) {
+    const std::uint32_t i = input.faceNormals[map.corner(c)];
+    return i == kNoNormal || normals[i] == Vec3{} ? kNoNormal : i;
   };
   const auto isHardAt = [&](SurfaceCorner a, SurfaceCorner b) {
-    const bool isSame = given(a) == given(b) && given(a) != kNoNormal;
-    return !isSame && doNormalsDiffer(normal(a), normal(b));
+    const std::uint32_t i = given(a), j = given(b);
+    if (i == j && i != kNoNormal) return false;
+    return doNormalsDiffer(i == kNoNormal ? facetNormal(map, triangleOf(a)) : normals[i],
+                           j == kNoNormal ? facetNormal(map, triangleOf(b)) : normals[j]);
   };
   return edgesThat(map.surface(), [&](SurfaceCorner h, SurfaceCorner twin) {
     return isHardAt(h, nextCorner(twin)) || isHardAt(nextCorner(h), twin);
@@ -50,8 +62,8 @@ Seams byGroups(const SurfaceMap& map) {
   };
   return edgesThat(map.surface(), [&](SurfaceCorner h, SurfaceCorner twin) {
     if (group(h) != group(twin)) return true;
-    return group(h) == 0 && doNormalsDiffer(facetNormal(map, triangleOf(h)),
-                                            facetNormal(map, triangleOf(twin)));
+    return group(h) == 0 &&
+           doNormalsDiffer(facetNormal(map, triangleOf(h)), facetNormal(map, triangleOf(twin)));
   });
 }
 

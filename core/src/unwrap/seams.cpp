@@ -202,8 +202,8 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   Seams seams = asked.seams;
   for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] || borders[h];
   SeamReport report;
-  OpenSurface other =
-      openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool, keepsOn, report);
+  OpenSurface other = openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool,
+                               keepsOn, report);
   if (report.cancelled) found.cancelled = true;
   constexpr double kLittleLonger = 1.25;
   if (report.cancelled || report.charts >= found.charts ||

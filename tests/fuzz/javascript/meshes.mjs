@@ -79,6 +79,8 @@ function arrayMesh(random) {
     );
   }
   if (random.chance(0.25)) mesh.texcoords = randomTexcoords(random, mesh.positions.length / 3);
+  if (random.chance(0.25)) mesh.normals = randomNormals(random, mesh.positions.length / 3);
+  if (random.chance(0.1)) mesh.cornerNormals = randomNormals(random, indices.length);
   if (random.chance(0.25)) mesh.materials = randomMaterials(random, indices.length / 3);
   if (random.chance(0.35)) spoil(random, mesh);
   return mesh;
@@ -87,6 +89,11 @@ function arrayMesh(random) {
 function randomTexcoords(random, count) {
   const make = () => (random.chance(0.02) ? Number.NaN : random.between(0, 1));
   return arrayOf(random, Array.from({ length: 2 * count }, make), REALS.slice(0, 3));
+}
+
+function randomNormals(random, count) {
+  const make = () => (random.chance(0.02) ? Number.NaN : random.between(-1, 1));
+  return arrayOf(random, Array.from({ length: 3 * count }, make), REALS.slice(0, 3));
 }
 
 function randomMaterials(random, count) {
