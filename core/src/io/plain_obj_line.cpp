@@ -43,10 +43,9 @@ std::size_t sizeWithLineEnd(std::string_view text, Cursor c) {
 }
 
 /// The numbers of a line that may not be finite, and maybe more; returns the size of the line.
-template <std::size_t kCount>
-std::size_t takeNumbers(std::string_view text, Cursor& c, std::array<double, kCount>& numbers) {
-  for (double& number : numbers) {
-    const char* const end = scanDouble(c.at, c.end, number);
+std::size_t takeNumbers(std::string_view text, Cursor c, double* numbers, std::size_t count) {
+  for (std::size_t d = 0; d < count; ++d) {
+    const char* const end = scanDouble(c.at, c.end, numbers[d]);
     if (end == nullptr) return 0;
     c.at = end;
     if (!c.atWordEnd()) return 0;
@@ -74,7 +73,7 @@ std::size_t plainLine(std::string_view text) {
 
 std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point) {
   Cursor c{text.data(), text.data() + text.size()};
-  const std::size_t size = takeKeyword(c, 'v') ? takeNumbers(text, c, point) : 0;
+  const std::size_t size = takeKeyword(c, 'v') ? takeNumbers(text, c, point.data(), 3) : 0;
   if (size == 0) return 0;
   for (const double coordinate : point)
     if (!std::isfinite(coordinate)) return 0;
@@ -83,12 +82,12 @@ std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point)
 
 std::size_t plainTexcoordLine(std::string_view text, std::array<double, 2>& texcoord) {
   Cursor c{text.data(), text.data() + text.size()};
-  return takeKeyword(c, 'v', 't') ? takeNumbers(text, c, texcoord) : 0;
+  return takeKeyword(c, 'v', 't') ? takeNumbers(text, c, texcoord.data(), 2) : 0;
 }
 
 std::size_t plainNormalLine(std::string_view text, std::array<double, 3>& normal) {
   Cursor c{text.data(), text.data() + text.size()};
-  return takeKeyword(c, 'v', 'n') ? takeNumbers(text, c, normal) : 0;
+  return takeKeyword(c, 'v', 'n') ? takeNumbers(text, c, normal.data(), 3) : 0;
 }
 
 std::size_t plainFaceLine(std::string_view text, std::vector<ObjCorner>& corners) {

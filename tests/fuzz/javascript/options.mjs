@@ -39,7 +39,7 @@ const SEAMS = [
   'uv',
   'material',
   'sharp=60',
-  'auto,sharp=30',
+  'auto,hard,sharp=30',
   'sharp=0',
   'sharp=',
 ];
