@@ -11,7 +11,15 @@ const { visitOf, settingsAskedFor } = await loadModule('visit-record');
 const { STRETCHES } = await loadModule('controls/atlas-control');
 const { RESOLUTIONS } = await loadModule('model/settings');
 
-const SEAMS = ['auto', 'none', 'uv', 'material', 'sharp=60', 'auto,uv,material,sharp=0.125'];
+const SEAMS = [
+  'auto',
+  'none',
+  'hard',
+  'uv',
+  'material',
+  'sharp=60',
+  'auto,hard,uv,material,sharp=0.125',
+];
 
 function randomSettings(next) {
   const pick = (values) => values[Math.floor(next() * values.length)];
@@ -72,14 +80,18 @@ test('what means nothing is ignored, one by one', () => {
   assert.deepEqual(settingsOf('flatten&t=3&t=0.5&udim').ignored, ['t=3', 't=0.5', 'udim']);
 });
 
-test('a mesh without UVs or materials is not cut along them', () => {
+test('a mesh without UVs, materials or normals is not cut along them', () => {
+  const NOTHING = { texcoords: 0, materials: 1, normals: 0, smoothingGroups: 0 };
   const cut = (seams, has, more) =>
-    fitting({ ...usualSettings('unwrap'), seams, ...more }, { texcoords: 0, materials: 1, ...has });
+    fitting({ ...usualSettings('unwrap'), seams, ...more }, { ...NOTHING, ...has });
   assert.equal(cut('auto,uv').seams, 'auto');
   assert.equal(cut('uv').seams, 'auto');
   assert.equal(cut('none').seams, 'none');
   assert.equal(cut('uv,material', { materials: 2 }).seams, 'material');
   assert.equal(cut('uv', { texcoords: 3 }).seams, 'uv');
+  assert.equal(cut('hard').seams, 'auto');
+  assert.equal(cut('auto,hard', { normals: 3 }).seams, 'auto,hard');
+  assert.equal(cut('hard,sharp=60', { smoothingGroups: 1 }).seams, 'hard,sharp=60');
   assert.equal(cut('auto', {}, { fixedFaces: 'uv' }).fixedFaces, undefined);
   assert.equal(cut('auto', { texcoords: 3 }, { fixedFaces: 'uv' }).fixedFaces, 'uv');
 });

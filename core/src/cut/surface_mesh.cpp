@@ -134,8 +134,10 @@ IdRange<SurfaceCorner> SeamMesh::fillingCorners() const {
 
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
-                      const IdVector<SurfaceTriangle, std::uint8_t>& scale, const Pulse& pulse) {
+                      const IdVector<SurfaceTriangle, std::uint8_t>& scale,
+                      const IdVector<SurfaceCorner, std::uint8_t>& isHard, const Pulse& pulse) {
   SeamMesh m;
+  m.isHard = isHard;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
   m.positions = inUnitCube(positions, fans, scale);

@@ -52,6 +52,8 @@ Result<PolygonMesh> withoutSpare(Result<PolygonMesh> mesh) {
   mesh.value.positions.shrink_to_fit();
   mesh.value.faceVertices.shrink_to_fit();
   mesh.value.faceOffsets.shrink_to_fit();
+  mesh.value.normals.shrink_to_fit();
+  mesh.value.faceNormals.shrink_to_fit();
   return mesh;
 }
 

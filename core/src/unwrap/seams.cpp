@@ -42,7 +42,7 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked, FillH
     if (given[h]) table.twin[h] = SurfaceCorner();
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
     return makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
-                        asked.scales.ofTriangle, pulse);
+                        asked.scales.ofTriangle, asked.hard, pulse);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;
@@ -202,8 +202,8 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   Seams seams = asked.seams;
   for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] || borders[h];
   SeamReport report;
-  OpenSurface other =
-      openWith(uncut, {seams, asked.scales, asked.fixed}, options, pool, keepsOn, report);
+  OpenSurface other = openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool,
+                               keepsOn, report);
   if (report.cancelled) found.cancelled = true;
   constexpr double kLittleLonger = 1.25;
   if (report.cancelled || report.charts >= found.charts ||

@@ -16,6 +16,7 @@
 #include "mesh/surface_map.h"
 #include "mesh/triangle_geometry.h"
 #include "seam/given_seams.h"
+#include "seam/hard_edges.h"
 #include "seam/scale_seams.h"
 #include "unwrap/atlas.h"
 #include "unwrap/certificate.h"
@@ -125,7 +126,8 @@ class Unwrapping {
   }
 
   Status cut() {
-    Result<Seams> given = givenSeams(map(), options_.seams);
+    const Seams hard = hardEdges(map());
+    Result<Seams> given = givenSeams(map(), options_.seams, hard);
     if (!given.ok()) return given.status;
     Scales scales;
     if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
@@ -136,7 +138,7 @@ class Unwrapping {
     if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
     Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
-        {welded_, unit_, surface_}, {given.value, scales, fixed_}, options_, *pool_,
+        {welded_, unit_, surface_}, {given.value, hard, scales, fixed_}, options_, *pool_,
         [&] { return monitor_.tell(kSeams, search.next()); }, report_.seams, report_.notes);
     surface_.fans = Fans();
     monitor_.tellAgain();
