@@ -25,6 +25,7 @@ struct PolygonMesh {
   std::vector<std::uint32_t> faceTexcoords;  ///< texcoord of each face corner, or kNoTexcoord
   std::vector<std::uint32_t> faceMaterials;  ///< per face; numbered by first appearance
   std::vector<std::string> materialNames;    ///< by these numbers; empty if it has no name
+  bool isZUp = false;                        ///< z points up in such files, not y
 
   std::size_t vertexCount() const { return positions.size() / 3; }
   std::size_t faceCount() const { return faceOffsets.empty() ? 0 : faceOffsets.size() - 1; }
