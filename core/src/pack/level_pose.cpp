@@ -70,10 +70,9 @@ double middleOf(const std::vector<Bearing>& bearings, std::size_t from, std::siz
 
 /// The directions that many edges have, most first; of windows with as many, the narrowest.
 std::vector<Bearing> straightBearings(std::vector<Bearing> bearings) {
-  constexpr std::size_t kMost = 8;
   constexpr double kLeastShare = 0.1;
   std::vector<Bearing> out;
-  while (out.size() < kMost && !bearings.empty()) {
+  while (!bearings.empty()) {
     double sum = 0, best = 0, narrowest = 0;
     std::size_t from = 0, to = 0;
     for (std::size_t i = 0, j = 0; i < bearings.size(); ++i) {
