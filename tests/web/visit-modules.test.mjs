@@ -64,7 +64,8 @@ test('what means nothing is ignored, one by one', () => {
     ...['max-stretch=1.07', 'resolution=1000', 'padding=-1', 'padding=2.5', 'padding=auto'],
     ...['balance=0.33', 'balance=2', 't=0', 't=NaN', 't=Infinity', 'no-t=1', 'udim=1', 'delaunay'],
     ...['seams=sharp', 'seams=sharp=0', 'seams=sharp=181', 'seams=uv,auto', 'seams=', 'keep=all'],
-    ...['fill-holes=maybe', 'maxStretch=1.05', 'threads=4', 'no-rotate', 'constructor=1', 'toString'],
+    ...['rotate', 'rotate=false', 'no-rotate', 'up=x'],
+    ...['fill-holes=maybe', 'maxStretch=1.05', 'threads=4', 'constructor=1', 'toString'],
   ]) {
     const { settings, ignored } = settingsOf(`unwrap&${word}&padding=5`);
     assert.deepEqual(settings, { ...usualSettings('unwrap'), padding: 5 }, word);

@@ -57,7 +57,8 @@ Bearing bearingAt(const std::vector<Bearing>& bearings, std::size_t i) {
 }
 
 /// The direction with half of the length of these edges at either side, or the middle between two.
-double middleOf(const std::vector<Bearing>& bearings, std::size_t from, std::size_t to, double share) {
+double middleOf(const std::vector<Bearing>& bearings, std::size_t from, std::size_t to,
+                double share) {
   double sum = 0, first = -1;
   for (std::size_t i = from; i < to; ++i) {
     sum += bearingAt(bearings, i).share;
@@ -76,7 +77,9 @@ std::vector<Bearing> straightBearings(std::vector<Bearing> bearings) {
     double sum = 0, best = 0, narrowest = 0;
     std::size_t from = 0, to = 0;
     for (std::size_t i = 0, j = 0; i < bearings.size(); ++i) {
-      for (; j < i + bearings.size() && bearingAt(bearings, j).angle <= bearings[i].angle + 2 * kStraight; ++j)
+      for (; j < i + bearings.size() &&
+             bearingAt(bearings, j).angle <= bearings[i].angle + 2 * kStraight;
+           ++j)
         sum += bearingAt(bearings, j).share;
       const double width = bearingAt(bearings, j - 1).angle - bearings[i].angle;
       const bool isAlike = sum > best - kAlikeBearing && width < narrowest - kAlikeBearing;

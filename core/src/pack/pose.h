@@ -19,8 +19,8 @@ struct Pose {
 /// Rotates by `angle` / `of` of a full turn; exact for quarters.
 Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull);
 
-/// Full turns in equal steps: of 1 pose, or of a multiple of 4. Poses from the second quarter on are
-/// exactly those of the first, rotated, so only the first quarter is kept.
+/// Full turns in equal steps: of 1 pose, or of a multiple of 4. Poses from the second quarter on
+/// are exactly those of the first, rotated, so only the first quarter is kept.
 class Poses {
  public:
   Poses() = default;

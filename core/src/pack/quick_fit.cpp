@@ -15,7 +15,11 @@ constexpr double kAnyArea = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-QuickFit::QuickFit(int resolution, int padding, Rotate rotate, int cells) : poses_(rotate == Rotate::Free ? 8 : rotate == Rotate::Quarter ? 4 : 1), mayLieAskew_(rotate == Rotate::Free) {
+QuickFit::QuickFit(int resolution, int padding, Rotate rotate, int cells)
+    : poses_(rotate == Rotate::Free      ? 8
+             : rotate == Rotate::Quarter ? 4
+                                         : 1),
+      mayLieAskew_(rotate == Rotate::Free) {
   grid_ = makePackGrid(resolution, padding, 1);
   grid_.cell = std::max(std::min(resolution / cells, resolution - 2 * grid_.border), 1);
 }

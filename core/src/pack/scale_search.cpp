@@ -94,8 +94,7 @@ class Search {
 
  private:
   bool isOver() const {
-    return isCancelled_ ||
-           (out_.texelsPerUnit > 0 && work_ > 0 && out_.work >= work_);
+    return isCancelled_ || (out_.texelsPerUnit > 0 && work_ > 0 && out_.work >= work_);
   }
 
   /// A scale that should fit as well, judging by the unused height.
@@ -262,13 +261,22 @@ class WholeSearch {
     const bool isAnew = out_.texelsPerUnit == 0;
     if (isAnew && !fine_.begin(strategies_)) return;
     const std::size_t count = strategies_.size();
-    strategy_ =
-        fine_.climb(strategies_, strategy_, isAnew ? count : std::min(count, kStrategies), fineStep_);
+    strategy_ = fine_.climb(strategies_, strategy_, isAnew ? count : std::min(count, kStrategies),
+                            fineStep_);
     if (isAnew) settle(fine_, fineStep_);
+  }
+
+  /// Whether all items already lie as they should.
+  bool isTidy() const {
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      if (!items_[i].poses.empty() && untidiness(items_[i], out_.best.spots[i].pose) > 0)
+        return false;
+    return true;
   }
 
   /// Goes on with the tidiest strategies that are worth it.
   void settle(Search& search, double step) {
+    if (isTidy()) return;
     for (const double tidiness : {kTidiest, kLessTidy}) {
       std::vector<PlaceStrategy> tidier = strategiesFor(items_, tidiness);
       const std::size_t fitting = search.settle(tidier, step);

@@ -111,7 +111,9 @@ std::vector<PlaceStrategy> strategiesFor(const std::vector<PackItem>& items, dou
     // shuffled.
     const int angles = k % 2 == 0 ? effort.angles : k % 4 == 1 ? effort.poses : 8;
     PlaceStrategy next{ordered(items, kKeys[k % 3], static_cast<unsigned>(k / 3)),
-                       turnsOf(items, angles, tidiness > 0), tidiness, {}};
+                       turnsOf(items, angles, tidiness > 0),
+                       tidiness,
+                       {}};
     const bool isNew = std::none_of(out.begin(), out.end(), [&next](const PlaceStrategy& other) {
       return other.turns == next.turns && other.order == next.order;
     });

@@ -276,9 +276,7 @@ class Unwrapping {
   }
 
   /// What lies nearer to another part of its chart than the padding.
-  IdVector<ChartId, NearParts> nearParts() {
-    return nearPartsOf(packedCharts(), options_);
-  }
+  IdVector<ChartId, NearParts> nearParts() { return nearPartsOf(packedCharts(), options_); }
 
   /// Cuts charts whose parts are too near each other, and packs again, unless that does not fit.
   Status keepPartsApart() {

@@ -359,7 +359,7 @@ TEST_CASE("charts that stand are upright where that costs few texels", "[pack]")
   const double freely = packed(makePackShapes("rectangles", 60, 4, 2), options).texelDensity;
   const Packing packing = packed(shapes, options);
   const auto turned = std::count_if(packing.placements.begin(), packing.placements.end(),
-                                      [](const Placement& p) { return !(p.a > std::abs(p.b)); });
+                                    [](const Placement& p) { return !(p.a > std::abs(p.b)); });
   CHECK(packing.texelDensity > 0.95 * freely);
   CHECK(turned < 20);
 }
