@@ -214,7 +214,7 @@ class WholeSearch {
         grid_(grid),
         taken_(taken),
         options_(options),
-        strategies_(strategiesFor(items, 0)),
+        strategies_(strategiesFor(items, items.size() > kSeveralItems ? kLessTidy : 0)),
         usualTries_(6 + 2 * static_cast<double>(strategies_.size())),
         fineStep_(items.size() > kManyItems ? kStepOfMany : kFineStep),
         fine_(items, grid, taken, options, usualTries_, out_) {}
@@ -257,13 +257,17 @@ class WholeSearch {
 
   void searchRealCells() {
     constexpr std::size_t kStrategies = 8;  // once the poses are chosen
+    constexpr double kUntidyShare = 0.8;    // of the work
     if (isCancelled_) return;
-    const bool isAnew = out_.texelsPerUnit == 0;
-    if (isAnew && !fine_.begin(strategies_)) return;
-    const std::size_t count = strategies_.size();
-    strategy_ = fine_.climb(strategies_, strategy_, isAnew ? count : std::min(count, kStrategies),
-                            fineStep_);
-    if (isAnew) settle(fine_, fineStep_);
+    if (out_.texelsPerUnit > 0) {
+      fine_.climb(strategies_, strategy_, std::min(strategies_.size(), kStrategies), fineStep_);
+      return;
+    }
+    fine_.limitWork(kUntidyShare * options_.work);
+    if (!fine_.begin(strategies_)) return;
+    strategy_ = fine_.climb(strategies_, 0, strategies_.size(), fineStep_);
+    fine_.limitWork(options_.work);
+    settle(fine_, fineStep_);
   }
 
   /// Whether all items already lie as they should.
@@ -274,9 +278,10 @@ class WholeSearch {
     return true;
   }
 
-  /// Goes on with the tidiest strategies that are worth it.
+  /// Goes on with the tidiest strategies that are worth it. Where there
+  /// are many items, a try or two is all there is work for.
   void settle(Search& search, double step) {
-    if (isTidy()) return;
+    if (items_.size() > kSeveralItems || isTidy()) return;
     for (const double tidiness : {kTidiest, kLessTidy}) {
       std::vector<PlaceStrategy> tidier = strategiesFor(items_, tidiness);
       const std::size_t fitting = search.settle(tidier, step);

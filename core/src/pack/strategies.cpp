@@ -18,8 +18,9 @@ struct Effort {
   int angles;  ///< of every second strategy
 };
 constexpr Effort kEfforts[] = {
-    {4, 64, 12, 4}, {10, 32, 20, 4},       {kFewItems, 16, 20, 4},
-    {150, 8, 5, 4}, {kManyItems, 8, 2, 4}, {std::numeric_limits<std::size_t>::max(), 4, 1, 2},
+    {4, 64, 12, 4},         {10, 32, 20, 4},
+    {kFewItems, 16, 20, 4}, {kSeveralItems, 8, 5, 4},
+    {kManyItems, 8, 2, 4},  {std::numeric_limits<std::size_t>::max(), 4, 1, 2},
 };
 
 const Effort& effortFor(std::size_t items) {

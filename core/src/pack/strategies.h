@@ -6,6 +6,8 @@ namespace abflat {
 
 /// Up to this many items are placed in many ways.
 constexpr std::size_t kFewItems = 40;
+/// More than this are tidy from the start: the work allows few tries.
+constexpr std::size_t kSeveralItems = 150;
 /// More than this are placed in one way only.
 constexpr std::size_t kManyItems = 1000;
 
