@@ -82,8 +82,17 @@ class Unwrapping {
  private:
   SurfaceMap map() const { return {input_, welded_, surface_}; }
   CutMesh cutMesh() const { return {map(), charts_.set}; }
+  std::size_t upAxis() const {
+    return options_.up == Up::Z || (options_.up == Up::Auto && input_.isZUp) ? 2 : 1;
+  }
   PackedCharts packedCharts() {
-    return {unit_, *pool_, charts_, packing_, densitiesOf(cutMesh(), options_.faceDensities)};
+    return {unit_,
+            welded_.mesh.positions,
+            upAxis(),
+            *pool_,
+            charts_,
+            packing_,
+            densitiesOf(cutMesh(), options_.faceDensities)};
   }
 
   Status checkInput() const {
@@ -269,9 +278,7 @@ class Unwrapping {
   }
 
   /// What lies nearer to another part of its chart than the padding.
-  IdVector<ChartId, NearParts> nearParts() {
-    return nearPartsOf(packedCharts(), welded_.mesh.positions, options_);
-  }
+  IdVector<ChartId, NearParts> nearParts() { return nearPartsOf(packedCharts(), options_); }
 
   /// Cuts charts whose parts are too near each other, and packs again, unless that does not fit.
   Status keepPartsApart() {
