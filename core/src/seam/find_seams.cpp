@@ -22,14 +22,6 @@ double lengthOf(const SeamMesh& mesh, const Seams& seams) {
   return sum;
 }
 
-/// Length of the seams, where those along creases count as shorter.
-double costOf(const SeamMesh& mesh, const Seams& seams) {
-  double sum = 0;
-  for (const SurfaceCorner h : seams.ids())
-    if (seams[h] && mesh.isOnSurface(h)) sum += mesh.cost[h] / 2;
-  return sum;
-}
-
 /// For a mesh without cuts so far, finds seams on only one side of its plane of symmetry.
 class SymmetricFinder {
  public:
@@ -38,7 +30,7 @@ class SymmetricFinder {
 
   /// Replaces `seams`, which `report` describes, by symmetric ones if those are preferable.
   void run(Seams& seams, SeamReport& report) const {
-    const double cost = costOf(mesh_, seams);
+    const double cost = costOfSeams(mesh_, seams);
     if (options_.symmetricSeams == SymmetricSeams::Never || cost == 0) return;
     const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
     if (!mirror) report.asymmetry = Asymmetry::NoPlane;
@@ -46,10 +38,10 @@ class SymmetricFinder {
     const std::optional<SeamPart> half = halfOf(mesh_, mirror, options_.fillHoles);
     if (!half) report.asymmetry = Asymmetry::PlaneCutsFace;
     if (!half) return;
-    const double plane = costOf(mesh_, unfold(mesh_, mirror, *half, {}));
+    const double plane = costOfSeams(mesh_, unfold(mesh_, mirror, *half, {}));
     if (isTooMuch(plane, cost * kMostOfPlane)) return;
     const Seams found = seamsOfHalf(*half, report.eliminationRanks);
-    const double least = 2 * costOf(half->mesh, found) + kLeastOfPlane * plane;
+    const double least = 2 * costOfSeams(half->mesh, found) + kLeastOfPlane * plane;
     if (isTooMuch(least, cost)) return;
     SeamOptions options = options_;
     options.eliminationRanks = report.eliminationRanks;
@@ -58,7 +50,7 @@ class SymmetricFinder {
     Seams symmetric = findInRounds(mesh_, Seams(mesh_.twin.size(), 0), options, own);
     if (own.cancelled) report.cancelled = true;
     if (own.cancelled || isTooMuch(own.charts, report.charts) ||
-        isTooMuch(costOfAll(symmetric, own), costOfAll(seams, report)))
+        isTooMuch(wholeCost(symmetric, own), wholeCost(seams, report)))
       return;
     seams = std::move(symmetric);
     // A chart must be solved in the same order whenever it is found.
@@ -74,7 +66,7 @@ class SymmetricFinder {
   /// the result comes out longer.
   static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
 
-  double costOfAll(const Seams& seams, const SeamReport& report) const {
+  double wholeCost(const Seams& seams, const SeamReport& report) const {
     const IdVector<SurfaceTriangle, CutChartId> one(mesh_.triangleCount(), CutChartId(0));
     return costOfParts(mesh_, seams, report.scale, options_.maxStretch, one, 1, options_.prices)
         .front();
@@ -102,8 +94,8 @@ class CreaseFinder {
   CreaseFinder(const SeamMesh& mesh, const SeamOptions& options)
       : mesh_(mesh),
         options_(options),
-        creases_(creasesToBegin(mesh)),
-        whole_(creases_.empty() ? CutSurface() : cutAlong(mesh, Seams(mesh.twin.size(), 0))) {}
+        whole_(cutAlong(mesh, Seams(mesh.twin.size(), 0))),
+        creases_(creasesToBegin(mesh, whole_)) {}
 
   /// `seams`, which `report` describes, were found starting with whole components.
   void run(Seams& seams, SeamReport& report) const {
@@ -156,8 +148,8 @@ class CreaseFinder {
 
   const SeamMesh& mesh_;
   const SeamOptions& options_;
-  const Seams creases_;
   const CutSurface whole_;  ///< its charts are the components
+  const Seams creases_;
 };
 
 /// With seams marked on both sides.
