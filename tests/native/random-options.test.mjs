@@ -10,6 +10,7 @@ import { everyChoice, randomArguments } from '../support/random-options.mjs';
 import { Random, randomSurface, SURFACE_KINDS, surfaceText } from '../support/random-surfaces.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { SCHEMA } from '../support/schema.mjs';
+import { judgeStacks } from '../support/stacks.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
 const RUNS = Number(process.env.ABFLAT_FUZZ_RUNS ?? 60);
@@ -48,12 +49,18 @@ function checkEnd({ code, signal, stderr }, at, output) {
 /** What is wrong with the result. */
 function checkResult(surface, at, report) {
   if (!report.valid || !isTriangles(surface)) return [];
+  if (report.atlas?.stacked.charts > 0) return checkStacked(at);
   const isKept = new Set(report.repair?.collapsedFaces);
   const text = readFileSync(at('out.obj'), 'utf8');
   return complaints(text, report.atlas?.tiles).filter((sentence) => {
     const face = /^face (\d+) is turned over or has no area$/.exec(sentence);
     return !(face && (isKept.has(Number(face[1])) || report.repair.degenerateTriangles > 0));
   });
+}
+
+function checkStacked(at) {
+  const { isValid, problems } = judgeStacks(at('out.obj'), { tiles: [10, 1000] });
+  return isValid ? [] : [JSON.stringify(problems)];
 }
 
 async function check(t, seed, command, kind, own) {

@@ -5,7 +5,14 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { drum, objWithGroups, objWithNormals } from '../support/drums.mjs';
 import { ReportKeys } from '../support/report-keys.mjs';
-import { foldingPins, NEEDLE, rough, stellated, TOUCHING } from '../support/report-meshes.mjs';
+import {
+  foldingPins,
+  MIRROR_IMAGES,
+  NEEDLE,
+  rough,
+  stellated,
+  TOUCHING,
+} from '../support/report-meshes.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { CUBE, CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { defects, knot, objText, sphere, torus, tube, windows } from '../support/surfaces.mjs';
@@ -78,6 +85,7 @@ test('unwrap: everything that is repaired, and notes', async (t) => {
 test('unwrap: holes, pins, parts that stay, cuts for packing', async (t) => {
   await unwrap(t, objText(windows(3)), ['--balance', '1']);
   await unwrap(t, objText(tube(40, () => 0.3)), ['--min-utilization', '0.7']);
+  await unwrap(t, MIRROR_IMAGES, ['--stack', 'mirrored']);
   const pins = { pins: '0 0.1 0.2\n6 0.4 0.2\n' };
   await unwrap(t, grid(6), ['--pins', 'pins', '--memory', '1M'], pins);
   const folding = { pins: textOf(foldingPins(4)) };

@@ -34,6 +34,12 @@ export const NEEDLE = `${FLAT}f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n`;
 /** The second face touches itself. */
 export const TOUCHING = `${FLAT}v -1 0 0\nv -1 -1 0\nf 1 3 4\nf 1 2 3 1 6 7\n`;
 
+/** Two triangles of which each is the other's mirror image, and a copy of the first. */
+export const MIRROR_IMAGES = [
+  ...['0 0', '3 0', '0 1', '9 0', '6 0', '9 1', '0 5', '3 5', '0 6'].map((p) => `v ${p} 0`),
+  ...['1 2 3', '4 6 5', '7 8 9', ''].map((f) => f && `f ${f}`),
+].join('\n');
+
 /** Pins at the corners of a grid of n x n squares that make it fold. */
 export const foldingPins = (n) => {
   const uv = [

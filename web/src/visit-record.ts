@@ -51,11 +51,12 @@ export function askedOf(outcome: Outcome, { kept, pins }: Marks): Asked {
   const { result, settings } = outcome;
   if (pins) asked.pins = pins;
   if (settings.faceDensities) asked.densities = settings.faceDensities;
-  const { seams, seamEdges, placed } = settings;
+  const { seams, seamEdges, placed, stack } = settings;
+  const isStackedByHand = stack === 'none' && outcome.stacks !== undefined;
   if (seamEdges) asked.edited = { seams, seamEdges };
   const locked = kept?.layout === result ? kept.charts : new Uint32Array();
   const isOwn =
-    Boolean(seamEdges ?? placed ?? outcome.stacks) || locked.length > 0 || staysInPlace(outcome);
+    Boolean(seamEdges ?? placed) || isStackedByHand || locked.length > 0 || staysInPlace(outcome);
   // A chart that is not valid, and was not moved, cannot be kept in its place.
   if (!isOwn || !(result.report.valid || staysInPlace(outcome))) return asked;
   return { ...asked, atlas: atlasOf(result), locked };

@@ -45,10 +45,13 @@ class AtlasChecker {
 
   std::vector<ChartDefect> run() {
     checkTriangles();
+    for (std::size_t c = 0; c < atlas_.stacked.size(); ++c)
+      if (atlas_.stacked[c].on != kOnNone) isWanted_[c] = 0;
     const bool mayTouch =
         std::find(atlas_.mayTouch.begin(), atlas_.mayTouch.end(), 1) != atlas_.mayTouch.end();
     for (int round = 0; round < kMostRounds; ++round)
       if (!(mayTouch ? findPair() : findPairOfCurves())) break;
+    reportStacked();
     std::stable_sort(out_.begin(), out_.end(),
                      [](const ChartDefect& a, const ChartDefect& b) { return a.chart < b.chart; });
     return std::move(out_);
@@ -66,6 +69,10 @@ class AtlasChecker {
     return atlas_.chartOf[t] < isWanted_.size() && isWanted_[atlas_.chartOf[t]];
   }
 
+  bool isMirrored(std::uint32_t chart) const {
+    return chart < atlas_.stacked.size() && atlas_.stacked[chart].isMirrored;
+  }
+
   void checkTriangles() {
     std::vector<ChartBox> boxes(isWanted_.size());
     std::vector<std::size_t> flipped(isWanted_.size(), 0);
@@ -73,7 +80,8 @@ class AtlasChecker {
       if (!isChecked(t) || isEmpty(t)) continue;
       for (std::size_t k = 0; k < 3; ++k) boxes[atlas_.chartOf[t]].add(at(t, k));
       if (!boxes[atlas_.chartOf[t]].isFinite) continue;
-      const int sign = orientation(at(t, 0), at(t, 1), at(t, 2));
+      const int sign =
+          orientation(at(t, 0), at(t, 1), at(t, 2)) * (isMirrored(atlas_.chartOf[t]) ? -1 : 1);
       if (sign < 0 || (sign == 0 && atlas_.hasArea(t))) ++flipped[atlas_.chartOf[t]];
     }
     for (std::uint32_t c = 0; c < boxes.size(); ++c) {
@@ -88,6 +96,22 @@ class AtlasChecker {
   void report(const ChartDefect& defect) {
     out_.push_back(defect);
     isWanted_[defect.chart] = 0;
+  }
+
+  /// What is wrong with a chart is wrong with all that lie on it.
+  void reportStacked() {
+    std::vector<std::size_t> defectOf(isWanted_.size(), out_.size());
+    for (std::size_t i = out_.size(); i-- > 0;) defectOf[out_[i].chart] = i;
+    std::vector<ChartDefect> more;
+    for (std::uint32_t c = 0; c < atlas_.stacked.size(); ++c) {
+      const std::uint32_t below = atlas_.stacked[c].on;
+      if (below == kOnNone || atlas_.isLeftOut[c] || defectOf[c] < out_.size() ||
+          defectOf[below] == out_.size())
+        continue;
+      const ChartDefect& defect = out_[defectOf[below]];
+      more.push_back({c, defect.kind, defect.triangles, defect.other == below ? c : defect.other});
+    }
+    out_.insert(out_.end(), more.begin(), more.end());
   }
 
   void reportPair(std::uint32_t a, std::uint32_t b) {

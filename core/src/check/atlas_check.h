@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "check/stacked_charts.h"
+
 namespace abflat {
 
 /// Triangles with texcoords, as the reader of a file gets them.
@@ -16,6 +18,8 @@ struct WrittenAtlas {
   std::vector<std::uint8_t> mayTouch;  ///< per chart: may share boundary with others that may
   std::uint32_t tiles = 1;             ///< number of unit squares, ten in a row
   double lowestV = 0;                  ///< of the first row of tiles
+  /// Per chart: what findStackedCharts has found. Empty: no chart may lie on another.
+  std::vector<StackedChart> stacked = {};
 };
 
 constexpr std::uint32_t kNoOther = 0xffffffff;
@@ -31,8 +35,9 @@ struct ChartDefect {
 
 /// Defects by chart; empty if the map is injective as written: every triangle is positively
 /// oriented, or has no area if it has none on the surface; every chart lies within one tile; no two
-/// triangles overlap; and no two charts touch unless both may. Decided exactly from the numbers
-/// alone, in O(n log n) except for charts that may touch.
+/// triangles overlap; and no two charts touch unless both may. Stacked charts count as one, and a
+/// mirrored one of them as if it were not. Decided exactly from the numbers alone, in O(n log n)
+/// except for charts that may touch.
 std::vector<ChartDefect> checkAtlas(const WrittenAtlas& atlas);
 
 }  // namespace abflat

@@ -27,7 +27,7 @@ class AtlasPainter {
         side_(result.report.atlas.resolution),
         width_(side_ * tileColumns(result.report.atlas)),
         height_(side_ * tileRows(result.report.atlas)),
-        polygons_(atlasPolygons(mesh, result)),
+        polygons_(atlasPolygons(mesh, result, Stacked::LeftOut)),
         edges_(atlasEdges(polygons_, result)) {}
 
   /// `colourOf` gives the colour of a face. Outlines are always drawn.

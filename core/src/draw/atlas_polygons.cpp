@@ -4,12 +4,16 @@
 
 namespace abflat {
 
-AtlasPolygons atlasPolygons(const PolygonMesh& mesh, const UnwrapResult& result) {
+AtlasPolygons atlasPolygons(const PolygonMesh& mesh, const UnwrapResult& result, Stacked stacked) {
   std::vector<std::uint8_t> isCollapsed(mesh.faceCount(), 0);
   for (const std::uint32_t f : result.report.repair.collapsedFaces) isCollapsed[f] = 1;
+  const auto isOnOther = [&](std::uint32_t f) {
+    const std::uint32_t chart = result.chartOfFace[f];
+    return chart != kNoChart && result.report.charts[chart].stackedOn >= 0;
+  };
   AtlasPolygons out;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
-    if (isCollapsed[f]) continue;
+    if (isCollapsed[f] || (stacked == Stacked::LeftOut && isOnOther(f))) continue;
     for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c)
       out.corners.push_back(c);
     out.offsets.push_back(static_cast<std::uint32_t>(out.corners.size()));

@@ -8,6 +8,9 @@
 
 namespace abflat {
 
+/// Whether charts count that lie on others.
+enum class Stacked : std::uint8_t { Count, LeftOut };
+
 /// The faces of a mesh as they lie in the atlas, without collapsed ones.
 struct AtlasPolygons {
   std::vector<std::uint32_t> offsets = {0};  ///< corners of polygon i: [offsets[i], offsets[i+1])
@@ -16,7 +19,8 @@ struct AtlasPolygons {
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(face.size()); }
 };
-AtlasPolygons atlasPolygons(const PolygonMesh& mesh, const UnwrapResult& result);
+AtlasPolygons atlasPolygons(const PolygonMesh& mesh, const UnwrapResult& result,
+                            Stacked stacked = Stacked::Count);
 
 /// Edges of polygons by their texcoords, each listed once.
 struct AtlasEdges {

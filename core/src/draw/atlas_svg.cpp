@@ -97,6 +97,7 @@ std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double
                    {"stroke-linejoin", "round"},
                    {"stroke-linecap", "round"}});
   for (std::size_t i = 0; i < charts.size(); ++i) {
+    if (result.report.charts[i].stackedOn >= 0) continue;
     const std::string outline = pathOf(charts[i].outline, result.uv, tileRows(atlas));
     out.open("g", {{"id", "chart-" + std::to_string(i)}});
     out.add("path", {{"class", "area"},

@@ -1,5 +1,8 @@
 #include "unwrap/certificate.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "check/atlas_check.h"
 #include "exact/orientation.h"
 #include "mesh/triangle_geometry.h"
@@ -31,6 +34,36 @@ std::string problemOf(const ChartDefect& defect, const std::vector<UnwrapChart>&
          std::to_string(charts[defect.other].firstFace) + " in the atlas";
 }
 
+/// Twice the area that charts cover which stay where they are, on others.
+double repeatedArea(const WrittenAtlas& atlas, const std::vector<UnwrapChart>& charts) {
+  double sum = 0;
+  for (std::size_t t = 0; t < atlas.chartOf.size(); ++t) {
+    const std::uint32_t c = atlas.chartOf[t];
+    if (c >= charts.size() || !charts[c].fixed || atlas.stacked[c].on == kOnNone) continue;
+    const auto p = pointsOf(
+        atlas.uv, {atlas.triangles[3 * t], atlas.triangles[3 * t + 1], atlas.triangles[3 * t + 2]});
+    sum += std::abs((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) -
+                    (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+  }
+  return sum;
+}
+
+void reportStacked(const WrittenAtlas& atlas, UnwrapReport& report) {
+  std::vector<std::uint8_t> isBelow(atlas.stacked.size(), 0);
+  for (std::size_t c = 0; c < atlas.stacked.size(); ++c) {
+    const StackedChart& chart = atlas.stacked[c];
+    if (chart.on == kOnNone) continue;
+    report.charts[c].stackedOn = static_cast<int>(chart.on);
+    report.charts[c].mirrored = chart.isMirrored;
+    isBelow[chart.on] = 1;
+    ++report.atlas.stackedCharts;
+    report.atlas.stackedMirrored += chart.isMirrored;
+  }
+  report.atlas.stackedPlaces =
+      static_cast<int>(std::count(isBelow.begin(), isBelow.end(), std::uint8_t{1}));
+  report.atlas.utilization -= repeatedArea(atlas, report.charts) / 2 / report.atlas.tiles;
+}
+
 }  // namespace
 
 void certify(const PolygonMesh& input, const WeldedMesh& welded, Numbers numbers,
@@ -47,13 +80,19 @@ void certify(const PolygonMesh& input, const WeldedMesh& welded, Numbers numbers
           welded.firstAtPlace[InputVertex(input.faceVertices[result.triangleCorners[3 * t + k]])];
     return !isDegenerate(cornerAngles(welded.mesh.positions, v));
   };
-  WrittenAtlas atlas{uv, triangles, result.chartOfTriangle, hasArea, {}, {}, 1, 0};
+  WrittenAtlas atlas{uv, triangles, result.chartOfTriangle, hasArea, {}, {}, 1, 0, {}};
   for (const UnwrapChart& chart : result.report.charts) {
     atlas.isLeftOut.push_back(!chart.valid);
     atlas.mayTouch.push_back(chart.fixed);
   }
   atlas.tiles = static_cast<std::uint32_t>(result.report.atlas.tiles);
   atlas.lowestV = numbers == Numbers::Gltf ? -1 : 0;
+  const Stack stack = result.report.options.stack;
+  if (stack != Stack::None) {
+    atlas.stacked = findStackedCharts(uv, triangles, result.chartOfTriangle,
+                                      result.report.charts.size(), stack == Stack::Mirrored);
+    reportStacked(atlas, result.report);
+  }
   for (const ChartDefect& defect : checkAtlas(atlas)) {
     UnwrapChart& row = result.report.charts[defect.chart];
     if (row.valid) row.problem = problemOf(defect, result.report.charts);
@@ -68,9 +107,11 @@ std::string foldedFansNote(const PolygonMesh& input, const UnwrapResult& result)
   std::size_t count = 0;
   for (std::size_t f = 0; f < input.faceCount(); ++f) {
     const std::uint32_t begin = input.faceOffsets[f], end = input.faceOffsets[f + 1];
+    const std::uint32_t chart = result.chartOfFace[f];
+    const int side = chart != kNoChart && result.report.charts[chart].mirrored ? -1 : 1;
     bool isFolded = false;
     for (std::uint32_t c = begin + 1; c + 1 < end && end - begin > 3; ++c)
-      isFolded = isFolded || orientation(at(begin), at(c), at(c + 1)) < 0;
+      isFolded = isFolded || side * orientation(at(begin), at(c), at(c + 1)) < 0;
     count += isFolded;
   }
   if (count == 0) return {};

@@ -56,6 +56,7 @@ struct FlatChart {
   Solver solver = Solver::ActiveSet;
   bool isFixed = false;      ///< uv is its place in the atlas from the start; packing leaves it
   bool isGiven = false;      ///< uv is that of the input or an earlier run, which has been checked
+  bool isStacked = false;    ///< it stays on another chart that stays
   bool isCutEnough = false;  ///< no seam was found that would reduce its stretch
   bool isWhole = false;      ///< it cannot be split in two either
   bool isDrawnOut = false;   ///< its outline is many times as long as on the surface

@@ -6,6 +6,7 @@
 #include "base/invalid.h"
 #include "base/number_text.h"
 #include "base/point2.h"
+#include "check/stacked_charts.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
 #include "mesh/triangle_geometry.h"
@@ -116,12 +117,13 @@ struct FixedChart {
   const DiskChart& chart;
   const std::vector<double>& uv;
   std::function<InputFace(ChartTriangle)> face;
+  int side = 1;  ///< -1: it runs clockwise, as it should
 };
 
 Status checkTriangles(const FixedChart& c) {
   for (const ChartTriangle f : c.chart.triangles()) {
     const auto p = pointsOf(c.uv, verticesOf(c.chart.vertexOfCorner, f));
-    const int sign = orientation(p[0], p[1], p[2]);
+    const int sign = c.side * orientation(p[0], p[1], p[2]);
     if (sign < 0 || (sign == 0 && !isDegenerate(c.chart.angles[f])))
       return invalid(nameOf(c.face(f)) + "'s texcoords are " +
                      (sign < 0 ? "mirrored" : "degenerate") +
@@ -147,6 +149,40 @@ Status checkTile(const FixedChart& c, bool hasTiles) {
                        ". Move that island, or do not keep it");
   }
   return {};
+}
+
+/// Which of the fixed charts lie on others, as far as that is wanted.
+std::vector<StackedChart> stackedAmongFixed(const CutMesh& mesh, const FixedTriangles& fixed,
+                                            Stack stack) {
+  std::vector<StackedChart> none(mesh.set.size());
+  if (stack == Stack::None) return none;
+  std::vector<double> uv;
+  std::vector<std::uint32_t> triangles, chartOf;
+  for (const ChartId i : mesh.set.ids()) {
+    const ChartTopology chart = mesh.set.topology(i);
+    if (!fixed.isFixed[chart.triangles.front()]) continue;
+    const auto first = static_cast<std::uint32_t>(uv.size() / 2);
+    const std::vector<double> own = givenUv(mesh.map, fixed, chart);
+    uv.insert(uv.end(), own.begin(), own.end());
+    for (const ChartCorner c : chart.surfaceCorners())
+      triangles.push_back(first + chart.vertexOfCorner[c]);
+    chartOf.insert(chartOf.end(), chart.triangles.size(), i);
+  }
+  return findStackedCharts(uv, triangles, chartOf, mesh.set.size(), stack == Stack::Mirrored);
+}
+
+bool runsClockwise(const DiskChart& chart, const std::vector<double>& uv) {
+  for (const ChartTriangle f : chart.triangles()) {
+    const auto p = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
+    if (orientation(p[0], p[1], p[2]) > 0) return false;
+  }
+  return true;
+}
+
+ChartDistortion distortionOf(const FixedChart& c) {
+  std::vector<double> uv = c.uv;
+  for (std::size_t i = 0; i < uv.size(); i += 2) uv[i] *= c.side;
+  return ChartDistortion(measureDistortion(c.chart, uv));
 }
 
 }  // namespace
@@ -180,6 +216,7 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const Unwra
   if (fixed.isFixed.empty()) return {};
   std::vector<double> triangles;  // 6 coordinates each
   std::vector<InputFace> faces;   // one per triangle
+  const std::vector<StackedChart> stacked = stackedAmongFixed(mesh, fixed, options.stack);
   for (const ChartId i : flat.ids()) {
     const ChartTopology topology = mesh.set.topology(i);
     if (!fixed.isFixed[topology.triangles.front()]) continue;
@@ -189,8 +226,13 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const Unwra
     out.isFixed = out.isGiven = true;
     out.uv = givenUv(mesh.map, fixed, topology);
     out.unpacked.assign(out.uv.size(), NAN);
+    // What it lies on may be a chart that merely keeps its place.
+    const bool isMirrored =
+        stacked[i].isMirrored ||
+        (options.keepsPlaces && options.stack == Stack::Mirrored && runsClockwise(chart, out.uv));
     const FixedChart c{chart, out.uv,
-                       [&](ChartTriangle f) { return mesh.map.face(topology.triangles[f]); }};
+                       [&](ChartTriangle f) { return mesh.map.face(topology.triangles[f]); },
+                       isMirrored ? -1 : 1};
     if (Status s = options.keepsPlaces ? Status() : checkTile(c, options.udim); !s.ok()) return s;
     if (Status s = checkTriangles(c); !s.ok()) {
       if (!options.keepsPlaces) return s;
@@ -198,7 +240,9 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const Unwra
     }
     out.solver = Solver::Given;
     out.area = areaOf(chart);
-    out.distortion = ChartDistortion(measureDistortion(chart, out.uv));
+    out.distortion = distortionOf(c);
+    out.isStacked = stacked[i].on != kOnNone;
+    if (out.isStacked) continue;
     for (const SurfaceTriangle f : topology.triangles) faces.push_back(mesh.map.face(f));
     for (const ChartVertex v : chart.vertexOfCorner)
       triangles.insert(triangles.end(), {out.uv[2 * v], out.uv[2 * v + 1]});

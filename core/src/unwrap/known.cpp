@@ -128,15 +128,23 @@ FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes, std::vecto
   return out;
 }
 
+/// Whether a chart is valid where it stays, or mirrored and may be so on another one.
+bool isValidInPlace(const DiskChart& chart, std::vector<double> uv, Stack stack) {
+  if (checkValidity(chart, uv).valid()) return true;
+  if (stack != Stack::Mirrored) return false;
+  for (std::size_t i = 0; i < uv.size(); i += 2) uv[i] = -uv[i];
+  return checkValidity(chart, uv).valid();
+}
+
 /// Keeps the chart where it is in the known atlas, even if that is wrong.
 void keepPlace(const Known& known, const ChartTopology& topology, const DiskChart& chart,
-               FlatChart& flat) {
+               Stack stack, FlatChart& flat) {
   flat.isFixed = flat.isGiven = true;
   flat.uv.resize(flat.unpacked.size());
   for (const ChartCorner c : topology.surfaceCorners())
     setPoint(flat.uv, topology.vertexOfCorner[c],
              pointAt(known.layout.uv, known.vertex(topology.onSurface(c))));
-  if (!checkValidity(chart, flat.uv).valid()) flat.problem = kWrongInPlace;
+  if (!isValidInPlace(chart, flat.uv, stack)) flat.problem = kWrongInPlace;
 }
 
 }  // namespace
@@ -184,7 +192,7 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
       if (!keepsPlace || options.seams.isAuto || !isUncut(known, mesh.set.topology(i))) return;
     }
     flat[i] = takeOver(chart, wishes[i], std::move(uv), inUnits);
-    if (keepsPlace) keepPlace(known, mesh.set.topology(i), chart, flat[i]);
+    if (keepsPlace) keepPlace(known, mesh.set.topology(i), chart, options.stack, flat[i]);
   });
   return {};
 }

@@ -379,6 +379,25 @@ void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& su
   summary.relativeLength = size > 0 ? length / size : 0;
 }
 
+void measureSeams(const PolygonMesh& mesh, const CornerTable& table, const Seams& visible,
+                  SeamSummary& summary) {
+  double length = 0, area = 0;
+  for (const SurfaceTriangle f : table.triangles()) {
+    const auto side = [&](std::size_t k) {
+      return edgeVector(mesh.positions, table.vertex[cornerOf(f, k)],
+                        table.vertex[cornerOf(f, (k + 1) % 3)]);
+    };
+    area += norm(cross(side(0), side(1))) / 2;
+    for (const SurfaceCorner h : cornersOf(f)) {
+      if (!visible[h]) continue;
+      length += norm(side(placeInTriangle(h))) / 2;
+      ++summary.edges;
+    }
+  }
+  summary.edges /= 2;
+  summary.relativeLength = area > 0 ? length / std::sqrt(area) : 0;
+}
+
 double seamCost(const OpenSurface& open) {
   const double size = std::sqrt(open.mesh.totalArea());
   double sum = 0;

@@ -86,5 +86,7 @@ double seamCost(const OpenSurface& open);
 
 /// Sets the number of seam edges and their length.
 void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary);
+void measureSeams(const PolygonMesh& mesh, const CornerTable& table, const Seams& visible,
+                  SeamSummary& summary);
 
 }  // namespace abflat

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "abflat/mesh.h"
@@ -33,6 +34,8 @@
 #include "unwrap/room_note.h"
 #include "unwrap/seams.h"
 #include "unwrap/spacing.h"
+#include "unwrap/spread.h"
+#include "unwrap/stacks.h"
 #include "unwrap/turned.h"
 
 namespace abflat {
@@ -54,9 +57,11 @@ double usualBeats(std::size_t triangles) { return 40 + 3e-4 * static_cast<double
 class Unwrapping {
  public:
   /// The mesh and lengths in the options are scaled to units of 2^exponent.
-  Unwrapping(const PolygonMesh& input, const UnwrapOptions& options, int exponent)
+  Unwrapping(const PolygonMesh& input, const UnwrapOptions& options, int exponent,
+             UnfitFaces unfit = {})
       : input_(input),
         options_(options),
+        unfit_(std::move(unfit)),
         unit_(std::ldexp(1.0, exponent)),
         monitor_(options.progress) {}
 
@@ -78,6 +83,9 @@ class Unwrapping {
     }
     return std::move(out_);
   }
+
+  /// Faces that do not fit where they lie on others. Given to another run, that leaves them alone.
+  UnfitFaces unfit() { return std::move(unfit_); }
 
  private:
   SurfaceMap map() const { return {input_, welded_, surface_}; }
@@ -135,7 +143,7 @@ class Unwrapping {
   }
 
   Status cut() {
-    const Seams hard = hardEdges(map());
+    Seams hard = hardEdges(map());
     Result<Seams> given = givenSeams(map(), options_.seams, hard);
     if (!given.ok()) return given.status;
     Scales scales;
@@ -145,6 +153,7 @@ class Unwrapping {
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
+    leaveOutComponents(hard, given.value, scales);
     Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
         {welded_, unit_, surface_}, {given.value, hard, scales, fixed_}, options_, *pool_,
@@ -153,6 +162,45 @@ class Unwrapping {
     monitor_.tellAgain();
     if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);
     return {};
+  }
+
+  /// Of components that are alike, goes on with one.
+  void leaveOutComponents(Seams& hard, Seams& given, Scales& scales) {
+    if (!mayStack(options_)) return;
+    const CornerMatch found = alikeComponents(map(), given, fixed_, options_, unfit_);
+    if (found.empty()) return;
+    const KeptTriangles kept(areModels(surface_, found));
+    addMatch(found, stacks_);
+    hard = kept.ofCorners(hard);
+    given = kept.ofCorners(given);
+    scales.ofTriangle = kept.ofTriangles(scales.ofTriangle);
+    keepOnly(kept);
+  }
+
+  /// Of charts that are alike, goes on with one.
+  Status leaveOutCharts() {
+    if (!mayStack(options_)) return {};
+    const CornerMatch found = alikeCharts(cutMesh(), wishes_, charts_.flat, options_, unfit_);
+    if (found.empty()) return {};
+    const auto isKept = areModels(surface_, found);
+    const KeptTriangles kept(isKept);
+    addMatch(found, stacks_);
+    open_ = keptCharts(open_, isKept);
+    LaidCharts all = std::move(charts_);
+    keepOnly(kept);
+    charts_ = {chartsOf(welded_, open_), {}};
+    // Charts are in the order of their first triangles, before and after.
+    for (const ChartId i : all.set.ids())
+      if (isKept[all.set.topology(i).triangles.front()])
+        charts_.flat.push_back(std::move(all.flat[i]));
+    return readWishes();
+  }
+
+  void keepOnly(const KeptTriangles& kept) {
+    Surface part = kept.surface(surface_, welded_.mesh.vertexCount());
+    fixed_ = kept.fixed(std::move(fixed_));
+    if (stacks_.whole.table.vertex.empty()) stacks_.whole = std::move(surface_);
+    surface_ = std::move(part);
   }
 
   /// Flattens all charts, and cuts those further that are stretched more than predicted.
@@ -263,6 +311,7 @@ class Unwrapping {
 
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), options_, charts_.flat); !s.ok()) return s;
+    if (Status s = leaveOutCharts(); !s.ok()) return s;
     const FlatCharts& flat = charts_.flat;
     const bool mayCut = roomMode(options_, flat, flat.size()) != RoomMode::None;
     Status s = packNow(0, mayCut ? kUncut : 1);
@@ -396,18 +445,34 @@ class Unwrapping {
   /// the memory.
   void endCutting() {
     monitor_.tellAgain();
-    const Seams seams = visibleSeams(open_);
-    measureSeams(open_, seams, report_.seams);
-    out_.seams = seamEdges(map(), seams);
+    measureStraight(charts_.set, charts_.flat);
+    if (stacks_.isAny()) {
+      addStacked();
+    } else {
+      const Seams seams = visibleSeams(open_);
+      measureSeams(open_, seams, report_.seams);
+      out_.seams = seamEdges(map(), seams);
+    }
     open_ = OpenSurface();
     wishes_ = IdVector<ChartId, ChartWishes>();
     charts_.set.eliminationRank = {};
   }
 
+  /// Puts the charts that were left out on those that they are like.
+  void addStacked() {
+    SpreadCharts all = spread(welded_, stacks_, surface_, open_, charts_);
+    surface_ = std::move(stacks_.whole);
+    charts_ = std::move(all.charts);
+    modelOf_ = std::move(all.modelOf);
+    texcoords_ = numberTexcoords(cutMesh());
+    measureSeams(welded_.mesh, surface_.table, all.seams, report_.seams);
+    out_.seams = seamEdges(map(), all.seams);
+    stacks_ = Stacks();
+  }
+
   Status finish() {
     packing_ = Packing();
     noteStretched(cutMesh(), charts_.flat, options_, report_.notes);
-    measureStraight(charts_.set, charts_.flat);
     fillTexcoords(texcoords_, unit_, charts_.flat, out_);
     giveBackFreeMemory();
     fillReport(cutMesh(), charts_.flat, unit_, report_);
@@ -418,14 +483,28 @@ class Unwrapping {
     surface_ = Surface();
     texcoords_ = Texcoords();
     certify(input_, welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
+    for (const ChartId i : modelOf_.ids())
+      if (isUnfit(i)) unfit_.push_back(report_.charts[i].firstFace);
     if (options_.roundsForGltf) return {};
     if (std::string note = foldedFansNote(input_, out_); !note.empty())
       report_.notes.push_back(std::move(note));
     return {};
   }
 
+  /// Whether a chart that should lie on its model does not, or turns over there.
+  bool isUnfit(ChartId chart) const {
+    const auto lowest = [&](ChartId i) {
+      const int on = report_.charts[i].stackedOn;
+      return on < 0 ? i : ChartId(on);
+    };
+    const ChartId model = modelOf_[chart];
+    return lowest(chart) != lowest(model) ||
+           report_.charts[chart].valid != report_.charts[model].valid;
+  }
+
   const PolygonMesh& input_;
   const UnwrapOptions& options_;
+  UnfitFaces unfit_;
   const double unit_;
   Stopwatch watch_;
   Monitor monitor_;
@@ -436,6 +515,8 @@ class Unwrapping {
   Surface surface_;
   std::unique_ptr<ThreadPool> pool_;
   FixedTriangles fixed_;
+  Stacks stacks_;
+  IdVector<ChartId, ChartId> modelOf_;
   OpenSurface open_;
   LaidCharts charts_;
   Texcoords texcoords_;
@@ -445,14 +526,32 @@ class Unwrapping {
   Packing packing_;
 };
 
+/// Runs again without stacking what turns out not to fit: rarely, polygons of a copy whose own
+/// triangles turn over in the layout of others.
+Result<UnwrapResult> unwrapInUnits(const PolygonMesh& mesh, const UnwrapOptions& options,
+                                   int exponent) {
+  constexpr int kMostRuns = 4;
+  UnfitFaces unfit;
+  for (int run = 1;; ++run) {
+    Unwrapping unwrapping(mesh, options, exponent, unfit);
+    Result<UnwrapResult> out = unwrapping.run();
+    const std::size_t before = unfit.size();
+    unfit = unwrapping.unfit();
+    if (!out.ok() || unfit.size() == before) return out;
+    if (run < kMostRuns) continue;
+    unfit.resize(mesh.faceCount());
+    std::iota(unfit.begin(), unfit.end(), 0u);
+  }
+}
+
 Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& options) {
   // So that nothing overflows or is lost below, and results are the same in every unit.
   const int exponent = exponentOf(mesh);
   if (exponent == 0 || options.known.unpacked.empty())
-    return Unwrapping(mesh, options, exponent).run();
+    return unwrapInUnits(mesh, options, exponent);
   UnwrapOptions inUnits = options;
   for (double& x : inUnits.known.unpacked) x = std::ldexp(x, -exponent);
-  return Unwrapping(mesh, inUnits, exponent).run();
+  return unwrapInUnits(mesh, inUnits, exponent);
 }
 
 }  // namespace

@@ -33,6 +33,14 @@ std::vector<std::string> repairLines(const RepairReport& r) {
   return lines;
 }
 
+std::string stackedText(const AtlasReport& atlas) {
+  const auto charts = static_cast<std::size_t>(atlas.stackedCharts);
+  return counted(charts, "chart lies on ", "charts lie on ") + std::to_string(atlas.stackedPlaces) +
+         (atlas.stackedPlaces == 1 ? " other" : " others") +
+         (atlas.stackedMirrored > 0 ? ", " + std::to_string(atlas.stackedMirrored) + " mirrored"
+                                    : "");
+}
+
 }  // namespace
 
 std::string resultText(const Report& report, const std::string& inputName,
@@ -90,6 +98,7 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
   if (report.atlas.packingCuts > 0)
     out << "  " << counted(static_cast<std::size_t>(report.atlas.packingCuts), "cut", "cuts")
         << " to pack tighter (without: " << report.atlas.uncutTexelDensity << " texels per unit)\n";
+  if (report.atlas.stackedCharts > 0) out << "  " << stackedText(report.atlas) << "\n";
   for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();

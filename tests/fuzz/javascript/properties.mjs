@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { types } from 'node:util';
 import { AbflatError, createAbflat, STATUS_NAMES } from 'abflat';
 import { judge } from '../../support/exact-atlas.mjs';
+import { outlineOf } from '../../support/stacks.mjs';
 import { grid } from '../../wasm/support/meshes.mjs';
 import { CallersError } from './odd-values.mjs';
 
@@ -102,10 +103,22 @@ function assertValid(result, { method, args }) {
     [...indices.subarray(3 * i, 3 * i + 3)].map(corner),
   );
   const extent = Math.max(...triangles.flat().flatMap(({ place }) => place.map(Math.abs)));
-  const found = judge(
-    triangles.map((corners) => corners.map((c) => c.uv)),
-    { mayBeFlat: (i) => mayBeFlat(triangles[i], extent), tiles: [10, 1000] },
-  );
+  const judged = (some) =>
+    judge(
+      some.map((corners) => corners.map((c) => c.uv)),
+      { mayBeFlat: (i) => mayBeFlat(some[i], extent), tiles: [10, 1000] },
+    );
+  const chartOf = (i) => report.charts[result.chartOfTriangle?.[i]];
+  const found = judged(triangles.filter((_, i) => !(chartOf(i)?.stackedOn >= 0)));
+  for (const [c, { stackedOn, mirrored }] of report.charts.entries()) {
+    if (!(stackedOn >= 0)) continue;
+    const [own, below] = [c, stackedOn].map((chart) =>
+      triangles.filter((_, i) => result.chartOfTriangle[i] === chart),
+    );
+    assert.equal(outlineOf(own), outlineOf(below), `chart ${c} has another outline`);
+    const turned = mirrored ? own.map((corners) => [...corners].reverse()) : own;
+    assert.ok(judged(turned).isValid, `valid, but stacked chart ${c} is not`);
+  }
   if (method === 'flatten' || args[1]?.pins?.length > 0) found.outside = [];
   for (const flaw of ['flipped', 'flat', 'overlaps', 'outside'])
     assert.deepEqual(found[flaw], [], `valid, but ${flaw}`);

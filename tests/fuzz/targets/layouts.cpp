@@ -9,6 +9,7 @@
 #include "expect.h"
 #include "layout_cases.h"
 #include "round_trip.h"
+#include "stack_oracle.h"
 #include "targets.h"
 
 namespace abflat::fuzz {
@@ -112,7 +113,7 @@ void expectValidGltf(const PolygonMesh& mesh, const UnwrapResult& result) {
     }
     triangles.mayBeFlat.push_back(isFlatOnSurface(read, vertices));
   }
-  const std::string wrong = complaint(triangles, result.report.atlas.tiles);
+  const std::string wrong = stackedComplaint(triangles, result.chartOfTriangle, result.report);
   expect(wrong.empty(), "a valid glTF: " + wrong);
 }
 
@@ -139,7 +140,8 @@ bool unwrapMesh(const std::uint8_t* bytes, std::size_t size) {
   if (isPlain && isOrdinary(mesh))
     expect(report.valid, "with the usual options the atlas is valid");
   if (!report.valid) return true;
-  const std::string wrong = complaint(trianglesOf(mesh, result.value), report.atlas.tiles);
+  const std::string wrong =
+      stackedComplaint(trianglesOf(mesh, result.value), result.value.chartOfTriangle, report);
   expect(wrong.empty(), "a valid atlas: " + wrong);
   if (options.roundsForGltf)
     expectValidGltf(mesh, result.value);

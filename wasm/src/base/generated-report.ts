@@ -303,6 +303,10 @@ export interface UnwrapChart {
   solver: Solver;
   /** Whether it stays where the input, an earlier run or pins put it. */
   fixed: boolean;
+  /** The chart that it lies on, whose texels it shares; -1 if it has texels of its own. */
+  stackedOn: number;
+  /** Whether it lies there mirrored, so that its triangles run clockwise. */
+  mirrored: boolean;
   /** Newton steps of the last solve. */
   iterations: number;
   /** Mean over corners of ((x - α)/α)², with x the angle in uv and α that in 3D. */
@@ -333,8 +337,10 @@ export interface AtlasReport {
   padding: number;
   /** Unit squares, ten in a row: UDIM 1001 and on. */
   tiles: number;
-  /** Share of the tiles that charts cover. */
+  /** Share of the tiles that charts cover; what charts share counts once. */
   utilization: number;
+  /** Charts that lie on others of the same shape (stack). */
+  stacked: { charts: number; places: number; mirrored: number };
   /** Texels per mesh unit, for faces without a density of their own. */
   texelDensity: number;
   /** Charts that were cut in two so that all pack tighter. */

@@ -1,4 +1,4 @@
-import { type ChartStates, NO_STATES } from '../view/chart-flags';
+import { type ChartStates, NO_STATES, type StackedCharts } from '../view/chart-flags';
 
 const NONE = NO_STATES.selected;
 
@@ -9,6 +9,7 @@ export class ChartSelection implements ChartStates {
   private away = NONE;
   private pointed: number | null = null;
   private bad = NONE;
+  private above = NO_STATES.stacked;
 
   constructor(private readonly changed: () => void) {}
 
@@ -28,9 +29,14 @@ export class ChartSelection implements ChartStates {
     return this.bad;
   }
 
-  /** Charts that are not valid where they are. */
-  setInvalid(charts: ReadonlySet<number>): void {
-    this.bad = charts.size > 0 ? charts : NONE;
+  get stacked(): StackedCharts {
+    return this.above;
+  }
+
+  /** Charts that are not valid where they are, and those that lie on others. */
+  setPlaced(invalid: ReadonlySet<number>, stacked: StackedCharts): void {
+    this.bad = invalid.size > 0 ? invalid : NONE;
+    this.above = stacked.on.size > 0 ? stacked : NO_STATES.stacked;
     this.changed();
   }
 

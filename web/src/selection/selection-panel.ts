@@ -4,6 +4,7 @@ import type { GestureKind } from '../arrange/gesture';
 import { type Motion, STILL, turned } from '../arrange/motion';
 import { SELECTION } from '../base/english';
 import { Aim, type Modifiers } from '../view/aim';
+import type { StackedCharts } from '../view/chart-flags';
 import type { Pixel } from '../view/sight';
 import type { ViewName, Views } from '../view/views';
 import type { Arranged } from '../workshop/workshop';
@@ -75,7 +76,7 @@ export class SelectionPanel {
       this.mover.cancel();
       this.selection.clear();
     }
-    this.selection.setInvalid(invalidCharts(report));
+    this.selection.setPlaced(invalidCharts(report), stackedIn(report));
     this.showDensity();
   }
 
@@ -240,6 +241,16 @@ const together = (charts: ReadonlySet<number>, motion: Motion): Arranged => ({
 
 const invalidCharts = (report: UnwrapReport | null): ReadonlySet<number> =>
   new Set(report?.charts.flatMap(({ valid }, chart) => (valid ? [] : [chart])));
+
+/** The charts that abflat has put on others. */
+function stackedIn(report: UnwrapReport | null): StackedCharts {
+  const charts = [...(report?.charts ?? []).entries()];
+  const stacked = charts.filter(([, { stackedOn }]) => stackedOn >= 0);
+  return {
+    on: new Map(stacked.map(([chart, { stackedOn }]) => [chart, stackedOn])),
+    mirrored: new Set(charts.filter(([, { mirrored }]) => mirrored).map(([chart]) => chart)),
+  };
+}
 
 /** Whether two atlases have the same charts, if perhaps in other places. */
 function hasSameCharts(a: UnwrapReport | null, b: UnwrapReport | null): boolean {

@@ -9,7 +9,7 @@ import {
   type Unwrapped,
 } from '../model/model';
 import { type Settings, sameButSeams, type UnwrapSettings } from '../model/settings';
-import { stackedCharts } from '../model/stacks';
+import { stackedCharts, stacksIn, withStacks } from '../model/stacks';
 import { judged, keepingStacks, type StackHelpers } from './stacks';
 
 interface Watch {
@@ -43,7 +43,10 @@ function fromEarlier(settings: UnwrapSettings, last: Unwrapped | null): Earlier 
   // The numbers of locked charts are those of the layout in which they were locked.
   const isSame = keepsPlaces && (given !== undefined || kept.layout === last?.result);
   const known = isSame ? layout : kept.layout;
-  return { known, fixedCharts: kept.charts, keepsPlaces: isSame, ...seams };
+  // What abflat has stacked stays together.
+  const isStacked = last?.settings.stack !== 'none' && kept.layout === last?.result;
+  const fixedCharts = isStacked ? withStacks(kept.charts, last?.stacks) : kept.charts;
+  return { known, fixedCharts, keepsPlaces: isSame, ...seams };
 }
 
 /** Whether only seams have changed, and to listed ones: other sources may cut everything anew. */
@@ -94,15 +97,17 @@ export async function layOut(
   const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
   const known = fromEarlier(settings, last);
   const made = ({ stacks, ...rest }: Packed): Outcome => {
-    const unstacked = stackedCharts(last?.stacks) - stackedCharts(stacks);
+    const isAsBefore = last?.settings.stack === settings.stack;
+    const unstacked = isAsBefore ? stackedCharts(last?.stacks) - stackedCharts(stacks) : 0;
     return { mode, source, mesh, gltf, settings, ...rest, stacks, unstacked };
   };
   const runs = { abflat, input, helpers, signal: watch.signal };
   const packed = (known: Earlier) => {
     const { faceDensities, fixedFaces } = settings;
+    const isByHand = settings.stack === 'none' && last?.settings.stack === 'none';
     // Charts that take the uv of the file leave their stacks.
-    if (!last?.stacks || fixedFaces !== last.settings.fixedFaces)
-      return unwrap(known).then((result) => ({ result }));
+    if (!isByHand || !last?.stacks || fixedFaces !== last.settings.fixedFaces)
+      return unwrap(known).then((result) => ({ result, stacks: stacksIn(result.report) }));
     return keepingStacks(last, last.stacks, { ...known, faceDensities }, unwrap, runs);
   };
   if (!known.keepsPlaces) return made(await packed(known));

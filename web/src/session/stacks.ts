@@ -1,4 +1,5 @@
-// Charts that share texels on purpose, which abflat itself knows nothing of.
+// Charts that share texels on purpose. Those that the user has stacked are unknown to abflat, unless equal charts are to
+// be stacked anyway.
 
 import type { Abflat, MeshInput, UnwrapOptions, UnwrapReport, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
@@ -7,7 +8,7 @@ import { inOneTile } from '../mesh/in-one-tile';
 import type { DisplayMesh } from '../mesh/mesh';
 import { isOutside, isOverlapping } from '../model/misplaced';
 import type { Helpers, Unwrapped } from '../model/model';
-import type { Stack } from '../model/stacks';
+import { type Stack, stacksIn } from '../model/stacks';
 
 export type StackHelpers = Pick<Helpers, 'stacks' | 'apart' | 'restacked'>;
 
@@ -29,7 +30,10 @@ const SMALL = 0.05;
  * each beside all other charts.
  */
 export async function judged(result: UnwrapResult, runs: Runs): Promise<Judged> {
-  return result.report.valid ? { result } : judgedApart(result, runs);
+  const { valid, options } = result.report;
+  if (options.stack === 'none') return valid ? { result } : judgedApart(result, runs);
+  const whole = valid ? result : await withOverlaps(result, result.uv, runs, options.stack);
+  return { result: whole, stacks: stacksIn(whole.report) };
 }
 
 async function judgedApart(result: UnwrapResult, runs: Runs): Promise<Judged> {
@@ -55,10 +59,11 @@ async function withOverlaps(
   result: UnwrapResult,
   uv: Float64Array,
   runs: Runs,
+  stack: UnwrapOptions['stack'] = 'none',
 ): Promise<UnwrapResult> {
   const { report, chartOfTriangle } = result;
   if (!report.charts.some(({ problem }) => isOutside(problem))) return result;
-  const found = await inPlace({ ...result, uv: inOneTile(uv) }, runs);
+  const found = await inPlace({ ...result, uv: inOneTile(uv) }, runs, stack);
   const charts = [...report.charts];
   chartOfTriangle.forEach((chart, f) => {
     const other = found.report.charts[found.chartOfTriangle[f]];
@@ -72,7 +77,11 @@ async function withOverlaps(
 }
 
 /** Checks all charts where they are, in any number of tiles. */
-async function inPlace(result: UnwrapResult, { abflat, input, signal }: Runs) {
+async function inPlace(
+  result: UnwrapResult,
+  { abflat, input, signal }: Runs,
+  stack: UnwrapOptions['stack'] = 'none',
+) {
   const { resolution, padding, texelDensity } = result.report.atlas;
   return abflat.unwrap(await copied(input), {
     known: result,
@@ -82,6 +91,7 @@ async function inPlace(result: UnwrapResult, { abflat, input, signal }: Runs) {
     resolution,
     padding,
     udim: true,
+    stack,
     texelDensity: texelDensity > 0 ? texelDensity : 1,
     // With a file, coordinates are not rounded.
     obj: true,

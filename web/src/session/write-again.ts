@@ -81,8 +81,8 @@ const wanted = (format: ExportFormat) =>
 /** What charts that stay must fit in. */
 function atlasOf(outcome: Outcome) {
   if (outcome.mode === 'flatten') return {};
-  const { resolution, padding, udim, texelDensity } = outcome.settings;
-  return { resolution, padding, udim, texelDensity };
+  const { resolution, padding, udim, texelDensity, stack } = outcome.settings;
+  return { resolution, padding, udim, texelDensity, stack };
 }
 
 /** A mesh in one piece is an atlas of one chart. */

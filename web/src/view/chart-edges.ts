@@ -36,11 +36,11 @@ export class ChartEdges {
     this.draw();
   }
 
-  showStates({ hidden, selected, hovered, invalid }: ChartStates): void {
+  showStates({ hidden, selected, hovered, invalid, stacked }: ChartStates): void {
     const { states } = this;
     const isSame = hidden === states.hidden && selected === states.selected;
     if (isSame && invalid === states.invalid) return;
-    this.states = { hidden, selected, hovered, invalid };
+    this.states = { hidden, selected, hovered, invalid, stacked };
     this.draw();
   }
 

@@ -10,6 +10,15 @@ export interface ChartStates {
   hovered: number | null;
   /** Charts that overlap, are flipped or leave the square. */
   invalid: ReadonlySet<number>;
+  stacked: StackedCharts;
+}
+
+/** Charts that abflat has put on others of the same shape. */
+export interface StackedCharts {
+  /** What each lies on. */
+  on: ReadonlyMap<number, number>;
+  /** Those whose triangles run clockwise. */
+  mirrored: ReadonlySet<number>;
 }
 
 const NONE: ReadonlySet<number> = new Set();
@@ -18,9 +27,21 @@ export const NO_STATES: ChartStates = {
   hidden: NONE,
   hovered: null,
   invalid: NONE,
+  stacked: { on: new Map(), mirrored: NONE },
 };
 
-/** A texel for each chart: red if it is hidden, green if it is hovered, blue if it is being moved. */
+/** What the layout does not show: hidden charts, and those that lie on one that it shows. */
+export function unseen({ hidden, selected, stacked }: ChartStates): ReadonlySet<number> {
+  const covered = [...stacked.on].filter(
+    ([chart, below]) => !selected.has(chart) && !hidden.has(below),
+  );
+  return covered.length > 0 ? new Set([...hidden, ...covered.map(([chart]) => chart)]) : hidden;
+}
+
+/**
+ * A texel for each chart: red if it is hidden, green if it is hovered, blue if it is being moved, and opaque if it is
+ * mirrored.
+ */
 export class ChartFlags {
   private texture = textureFor(1);
 
@@ -29,14 +50,15 @@ export class ChartFlags {
     this.setUniforms();
   }
 
-  show({ hidden, hovered }: ChartStates, moving: Iterable<number> = []): void {
-    const charts = [...hidden, ...moving, hovered ?? -1];
+  show({ hidden, hovered, stacked }: ChartStates, moving: Iterable<number> = []): void {
+    const charts = [...hidden, ...moving, ...stacked.mirrored, hovered ?? -1];
     this.makeRoom(charts.reduce((most, chart) => Math.max(most, chart + 1), 1));
     const bytes = this.texture.image.data as Uint8Array;
     bytes.fill(0);
     for (const chart of hidden) bytes[4 * chart] = 255;
     if (hovered !== null) bytes[4 * hovered + 1] = 255;
     for (const chart of moving) bytes[4 * chart + 2] = 255;
+    for (const chart of stacked.mirrored) bytes[4 * chart + 3] = 255;
     this.texture.needsUpdate = true;
   }
 
@@ -65,11 +87,14 @@ function textureFor(count: number): DataTexture {
 /** `piece` is the number of a chart; charts beyond the texture have no flags. */
 export const FLAGS_GLSL = /* glsl */ `
   uniform sampler2D flags;
-  vec3 flagsOf(float piece) {
+  vec4 allFlagsOf(float piece) {
     int chart = int(piece + 0.5);
     ivec2 at = ivec2(chart % ${WIDTH}, chart / ${WIDTH});
-    if (at.y >= textureSize(flags, 0).y) return vec3(0.0);
-    return texelFetch(flags, at, 0).rgb;
+    if (at.y >= textureSize(flags, 0).y) return vec4(0.0);
+    return texelFetch(flags, at, 0);
+  }
+  vec3 flagsOf(float piece) {
+    return allFlagsOf(piece).rgb;
   }
 `;
 

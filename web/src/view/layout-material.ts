@@ -24,10 +24,11 @@ const VERTEX = /* glsl */ `
   varying vec3 vCorner;
   varying vec2 vPlace;
   flat varying vec3 vFlag;
-  flat varying float vChart, vPiece;
+  flat varying float vChart, vPiece, vSide;
   void main() {
     vCorner = cornerOf(gl_VertexID);
     vFlag = flagsOf(piece);
+    vSide = allFlagsOf(piece).a > 0.5 ? -1.0 : 1.0;
     vPlace = moved(position.xy, vFlag) + bent();
 #ifdef HEAT
     vHeat = heat;
@@ -63,12 +64,13 @@ const FRAGMENT = /* glsl */ `
   varying vec3 vCorner;
   varying vec2 vPlace;
   flat varying vec3 vFlag;
-  flat varying float vChart, vPiece;
+  flat varying float vChart, vPiece, vSide;
   void main() {
 #ifdef LOOK
     vec2 dx = dFdx(vTexel), dy = dFdy(vTexel);
 #endif
     if (vFlag.r > 0.5) discard;
+    bool isFlipped = gl_FrontFacing != (vSide > 0.0);
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
 #ifdef HEAT
@@ -88,8 +90,8 @@ const FRAGMENT = /* glsl */ `
     }
 #endif
     // The image lies below and is to be seen as it is.
-    if (showsImage) alpha = !gl_FrontFacing ? 0.6 : vFlag.g > 0.5 || vPiece == lit ? 0.25 : 0.1;
-    if (!gl_FrontFacing) base = flipped;
+    if (showsImage) alpha = isFlipped ? 0.6 : vFlag.g > 0.5 || vPiece == lit ? 0.25 : 0.1;
+    if (isFlipped) base = flipped;
     base = mix(base, vec3(1.0), 0.25 * vFlag.g);
     bool isDim = lit >= 0.0 && vPiece != lit;
 #ifdef HEAT

@@ -6,7 +6,7 @@ import type { Appearance } from '../model/appearance';
 import type { FlatDrawing, LayoutDrawing } from '../model/drawing';
 import type { Bending } from './bending';
 import { ChartEdges } from './chart-edges';
-import { ChartFlags, type ChartStates, NO_STATES } from './chart-flags';
+import { ChartFlags, type ChartStates, NO_STATES, unseen } from './chart-flags';
 import { ChartPicker } from './chart-picker';
 import { defineShading } from './define';
 import { EdgeLines } from './edge-lines';
@@ -64,6 +64,8 @@ export class LayoutView {
   private readonly room: FitRoom;
   private moved: () => void = () => undefined;
   private mayPan: () => boolean = () => true;
+  private asked: ChartStates = NO_STATES;
+  /** The same, with what lies on others hidden. */
   private states: ChartStates = NO_STATES;
   private moving: ReadonlySet<number> = new Set();
   /** Whether the next layout has the charts where they were moved to. */
@@ -315,9 +317,13 @@ export class LayoutView {
   }
 
   showStates(states: ChartStates): void {
-    this.states = states;
-    this.flags.show(states, this.moving);
-    this.edges.showStates(states);
+    const { selected, hidden, stacked } = this.asked;
+    const isSame =
+      selected === states.selected && hidden === states.hidden && stacked === states.stacked;
+    this.asked = states;
+    this.states = { ...states, hidden: isSame ? this.states.hidden : unseen(states) };
+    this.flags.show(this.states, this.moving);
+    this.edges.showStates(this.states);
     this.stage.invalidate();
   }
 

@@ -192,11 +192,12 @@ export class Views {
   }
 
   /** Shows which charts are selected, hidden and pointed at. */
-  showStates({ selected, hidden, hovered, invalid }: ChartStates): void {
+  showStates({ selected, hidden, hovered, invalid, stacked }: ChartStates): void {
     const { states } = this;
-    const isSame = selected === states.selected && hidden === states.hidden;
+    const isSame =
+      selected === states.selected && hidden === states.hidden && stacked === states.stacked;
     if (isSame && hovered === states.hovered && invalid === states.invalid) return;
-    this.states = { selected, hidden, hovered, invalid };
+    this.states = { selected, hidden, hovered, invalid, stacked };
     this.mesh.showStates(this.states);
     this.layout.showStates(this.states);
   }

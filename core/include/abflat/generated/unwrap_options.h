@@ -102,6 +102,25 @@ inline const char* nameOf(Rotate code) {
   return "";
 }
 
+/// Which parts and charts of equal shape lie on each other and share their texels.
+enum class Stack : int {
+  None = 0,  ///< each has texels of its own
+  Identical = 1,  ///< those that are moved and turned
+  Mirrored = 2,  ///< mirror images as well, whose triangles run clockwise in the atlas
+};
+
+inline const char* nameOf(Stack code) {
+  switch (code) {
+    case Stack::None:
+      return "none";
+    case Stack::Identical:
+      return "identical";
+    case Stack::Mirrored:
+      return "mirrored";
+  }
+  return "";
+}
+
 /// "auto" as a value of the option texelDensity.
 constexpr double kAutoTexelDensity = 0;
 /// "auto" as a value of the option minUtilization.
@@ -139,6 +158,8 @@ struct UnwrapOptionValues {
   Up up = Up::Auto;
   /// how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
   Rotate rotate = Rotate::Free;
+  /// which parts and charts of equal shape lie on each other and share their texels: none = each has texels of its own; identical = those that are moved and turned; mirrored = mirror images as well, whose triangles run clockwise in the atlas
+  Stack stack = Stack::None;
   /// memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
   /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
@@ -162,10 +183,11 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
     {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
     {"rotate", "--rotate", "free", "free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
+    {"stack", "--stack", "none", "none, identical, mirrored", "which parts and charts of equal shape lie on each other and share their texels: none = each has texels of its own; identical = those that are moved and turned; mirrored = mirror images as well, whose triangles run clockwise in the atlas", false, true},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 17};
+  return {kInfos, 18};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -234,10 +256,14 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.rotate = static_cast<Rotate>(static_cast<int>(value));
       return true;
     case 15:
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      options.stack = static_cast<Stack>(static_cast<int>(value));
+      return true;
+    case 16:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 16:
+    case 17:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -264,15 +290,18 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 14 && text == "free") return found = true, 0;
   if (index == 14 && text == "quarter") return found = true, 1;
   if (index == 14 && text == "none") return found = true, 2;
-  if (index == 15 && text == "auto") return found = true, 0;
+  if (index == 15 && text == "none") return found = true, 0;
+  if (index == 15 && text == "identical") return found = true, 1;
+  if (index == 15 && text == "mirrored") return found = true, 2;
+  if (index == 16 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 15 && letter == 'M') return 1;
-  if (index == 15 && letter == 'G') return 1024;
-  if (index == 15 && letter == 'T') return 1048576;
+  if (index == 16 && letter == 'M') return 1;
+  if (index == 16 && letter == 'G') return 1024;
+  if (index == 16 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -303,6 +332,7 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
     visit("minUtilization", options.minUtilization);
   visit("up", nameOf(options.up));
   visit("rotate", nameOf(options.rotate));
+  visit("stack", nameOf(options.stack));
   if (options.memory == 0)
     visit("memory", "auto");
   else

@@ -94,6 +94,10 @@ struct UnwrapChart {
   Solver solver = Solver::ActiveSet;
   /// Whether it stays where the input, an earlier run or pins put it.
   bool fixed = false;
+  /// The chart that it lies on, whose texels it shares; -1 if it has texels of its own.
+  int stackedOn = -1;
+  /// Whether it lies there mirrored, so that its triangles run clockwise.
+  bool mirrored = false;
   /// Newton steps of the last solve.
   int iterations = 0;
   /// Mean over corners of ((x - α)/α)², with x the angle in uv and α that in 3D.
@@ -127,6 +131,8 @@ void visitFields(const UnwrapChart& r, Visitor& v) {
   v.field("area", r.area);
   v.field("solver", r.solver);
   v.field("fixed", r.fixed);
+  v.field("stackedOn", r.stackedOn);
+  v.field("mirrored", r.mirrored);
   v.field("iterations", r.iterations);
   v.field("angularDistortion", r.angularDistortion);
   v.begin("quasiConformal");
@@ -150,8 +156,14 @@ struct AtlasReport {
   int padding = 0;
   /// Unit squares, ten in a row: UDIM 1001 and on.
   int tiles = 1;
-  /// Share of the tiles that charts cover.
+  /// Share of the tiles that charts cover; what charts share counts once.
   double utilization = 0;
+  /// Charts that lie on others of the same shape (stack): how many lie on others.
+  int stackedCharts = 0;
+  /// Charts that lie on others of the same shape (stack): on how many others they lie.
+  int stackedPlaces = 0;
+  /// Charts that lie on others of the same shape (stack): how many of them are mirrored.
+  int stackedMirrored = 0;
   /// Texels per mesh unit, for faces without a density of their own.
   double texelDensity = 0;
   /// Charts that were cut in two so that all pack tighter.
@@ -168,6 +180,11 @@ void visitFields(const AtlasReport& r, Visitor& v) {
   v.field("padding", r.padding);
   v.field("tiles", r.tiles);
   v.field("utilization", r.utilization);
+  v.begin("stacked");
+  v.field("charts", r.stackedCharts);
+  v.field("places", r.stackedPlaces);
+  v.field("mirrored", r.stackedMirrored);
+  v.end();
   v.field("texelDensity", r.texelDensity);
   v.field("packingCuts", r.packingCuts);
   v.field("packingCutLength", r.packingCutLength);

@@ -1,0 +1,207 @@
+#include "alike/part_match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "base/stable_order.h"
+
+namespace abflat {
+namespace {
+
+/// No mesh is symmetric across a plane with this normal.
+constexpr Vec3 kNoAxis = {0.7548776662466927, 0.5698402909980532, 0.3247179572447461};
+
+Vec3 fromCentre(const Cells& cells, const PartShape& shape, PolygonCorner c) {
+  Vec3 out;
+  for (std::size_t d = 0; d < 3; ++d) out[d] = cells.at(c)[d] - shape.centre[d];
+  return out;
+}
+
+double squareBetween(const Vec3& a, const Vec3& b) {
+  const Vec3 v = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  return dot(v, v);
+}
+
+Vec3 scaled(Vec3 v, double by) {
+  for (double& x : v) x *= by;
+  return v;
+}
+
+/// Three perpendicular directions in which a part is measured.
+struct Frame {
+  Vec3 x, y, z;
+
+  /// `a` and `b` are not parallel.
+  Frame(const Vec3& a, const Vec3& b, bool isMirrored) {
+    x = scaled(a, 1 / norm(a));
+    const Vec3 n = cross(a, b);
+    z = scaled(n, (isMirrored ? -1 : 1) / norm(n));
+    y = cross(scaled(n, 1 / norm(n)), x);
+  }
+  Vec3 in(const Vec3& p) const { return {dot(p, x), dot(p, y), dot(p, z)}; }
+};
+
+}  // namespace
+
+PartSeed seedOf(const Cells& cells, const PartShapes& shapes, PartId part) {
+  struct Candidate {
+    std::uint64_t color;
+    double distance;
+    PolygonCorner corner;
+  };
+  const PartShape& shape = shapes.part[part];
+  std::vector<Candidate> all;
+  for (const PolygonFace f : shapes.facesOf(part))
+    for (const PolygonCorner c : cells.corners(f))
+      all.push_back({shapes.color[f], norm(fromCentre(cells, shape, c)), c});
+  std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tuple(a.color, a.distance, std::uint32_t{a.corner}) <
+           std::tuple(b.color, b.distance, std::uint32_t{b.corner});
+  });
+  const double gap = 2 * kAlikeTolerance * shape.radius;
+  std::size_t best = 0, count = all.size() + 1;
+  for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
+    for (end = i + 1; end < all.size() && all[end].color == all[i].color &&
+                      all[end].distance - all[end - 1].distance <= gap;)
+      ++end;
+    const bool isFarther = end - i == count && all[i].distance > all[best].distance + gap;
+    if (end - i < count || isFarther) std::tie(best, count) = std::pair(i, end - i);
+  }
+  const auto first = all.begin() + static_cast<std::ptrdiff_t>(best);
+  const auto last = first + static_cast<std::ptrdiff_t>(count);
+  const auto at = [&](const Candidate& c) {
+    return dot(fromCentre(cells, shape, c.corner), kNoAxis);
+  };
+  const auto seed = std::max_element(
+      first, last, [&](const Candidate& a, const Candidate& b) { return at(a) < at(b); });
+  return {seed->corner, first->color, first->distance, (last - 1)->distance};
+}
+
+bool PartMatcher::match(PartId model, const PartSeed& seed, PartId part, bool isMirrored) {
+  constexpr std::size_t kMostTries = 64;
+  model_ = model;
+  part_ = part;
+  isMirrored_ = isMirrored;
+  tolerance_ = kAlikeTolerance * shapes_.part[model].radius;
+  std::size_t tries = 0;
+  for (const PolygonCorner c : candidates(model, seed, part, isMirrored)) {
+    if (++tries > kMostTries) break;
+    if (walk(c, seed.corner) && isCongruent()) return true;
+    forget();
+  }
+  return false;
+}
+
+/// The part's corners that may correspond to the seed, those first that turn the part least.
+std::vector<PolygonCorner> PartMatcher::candidates(PartId model, const PartSeed& seed, PartId part,
+                                                   bool isMirrored) const {
+  const PartShape &own = shapes_.part[part], &other = shapes_.part[model];
+  const Vec3 at = fromCentre(cells_, other, seed.corner);
+  const Vec3 next = fromCentre(cells_, other, cells_.next(seed.corner));
+  std::vector<std::pair<double, PolygonCorner>> found;
+  for (const PolygonFace f : shapes_.facesOf(part)) {
+    if (shapes_.color[f] != seed.color) continue;
+    for (const PolygonCorner c : cells_.corners(f)) {
+      const Vec3 p = fromCentre(cells_, own, c);
+      const double distance = norm(p);
+      if (distance < seed.low - 2 * tolerance_ || distance > seed.high + 2 * tolerance_) continue;
+      const PolygonCorner after = isMirrored ? cells_.prev(c) : cells_.next(c);
+      found.emplace_back(squareBetween(p, at) + squareBetween(fromCentre(cells_, own, after), next),
+                         c);
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
+  std::vector<PolygonCorner> out;
+  for (const auto& [turn, c] : found) out.push_back(c);
+  return out;
+}
+
+/// Walks from polygon to polygon on both parts alike, as long as they are the same.
+bool PartMatcher::walk(PolygonCorner from, PolygonCorner to) {
+  walked_.clear();
+  if (!pairFaces(from, to)) return false;
+  for (std::size_t i = 0; i < walked_.size(); ++i)
+    for (const PolygonCorner c : cells_.corners(walked_[i])) {
+      const PolygonCorner o = cells_.twin[c];
+      if (!o.exists()) continue;
+      const PolygonCorner m = image_[c];
+      const PolygonCorner across =
+          isMirrored_ ? cells_.next(cells_.twin[cells_.prev(m)]) : cells_.twin[m];
+      if (image_[o].exists() ? image_[o] != across : !pairFaces(o, across)) return false;
+    }
+  return walked_.size() == shapes_.part[part_].faces;
+}
+
+bool PartMatcher::pairFaces(PolygonCorner from, PolygonCorner to) {
+  const PolygonFace f = cells_.face[from], m = cells_.face[to];
+  if (cells_.size(f) != cells_.size(m) || shapes_.color[f] != shapes_.color[m]) return false;
+  walked_.push_back(f);
+  for (std::uint32_t k = cells_.size(f); k > 0; --k) {
+    image_[from] = to;
+    if (!isSameEdge(from, to)) return false;
+    from = cells_.next(from);
+    to = isMirrored_ ? cells_.prev(to) : cells_.next(to);
+  }
+  return true;
+}
+
+/// Whether the edges that leave the two corners are the same, as far as can be seen there.
+bool PartMatcher::isSameEdge(PolygonCorner from, PolygonCorner to) const {
+  const PolygonCorner edge = isMirrored_ ? cells_.prev(to) : to;
+  if (cells_.edgeMark[from] != cells_.edgeMark[edge] ||
+      cells_.twin[from].exists() != cells_.twin[edge].exists())
+    return false;
+  const double length = distanceBetween(cells_.at(from), cells_.at(cells_.next(from)));
+  const double other = distanceBetween(cells_.at(edge), cells_.at(cells_.next(edge)));
+  const double distance = norm(fromCentre(cells_, shapes_.part[part_], from));
+  const double otherDistance = norm(fromCentre(cells_, shapes_.part[model_], to));
+  return std::abs(length - other) <= 2 * tolerance_ &&
+         std::abs(distance - otherDistance) <= 2 * tolerance_;
+}
+
+/// Whether one motion takes every corner to within the tolerance of its own.
+bool PartMatcher::isCongruent() const {
+  const PartShape &own = shapes_.part[part_], &other = shapes_.part[model_];
+  const auto best = [&](const auto& measure) {
+    std::pair<double, PolygonCorner> out{0, PolygonCorner()};
+    for (const PolygonFace f : walked_)
+      for (const PolygonCorner c : cells_.corners(f))
+        if (const double x = measure(fromCentre(cells_, other, image_[c])); x > out.first)
+          out = {x, c};
+    return out.second;
+  };
+  const PolygonCorner a = best([](const Vec3& p) { return dot(p, p); });
+  if (!a.exists()) return false;
+  const Vec3 along = fromCentre(cells_, other, image_[a]);
+  const auto areaWith = [&](const Vec3& p) {
+    const Vec3 n = cross(along, p);
+    return dot(n, n);
+  };
+  const PolygonCorner b = best(areaWith);
+  const auto isFlat = [&](const Vec3& p, const Vec3& q) {
+    return !(norm(cross(p, q)) > tolerance_ * norm(p));
+  };
+  if (!b.exists()) return false;
+  const Vec3 aside = fromCentre(cells_, other, image_[b]);
+  const Vec3 ownAlong = fromCentre(cells_, own, a), ownAside = fromCentre(cells_, own, b);
+  if (isFlat(along, aside) || isFlat(ownAlong, ownAside)) return false;
+  const Frame frame(ownAlong, ownAside, isMirrored_), model(along, aside, false);
+  for (const PolygonFace f : walked_)
+    for (const PolygonCorner c : cells_.corners(f))
+      if (squareBetween(frame.in(fromCentre(cells_, own, c)),
+                        model.in(fromCentre(cells_, other, image_[c]))) > tolerance_ * tolerance_)
+        return false;
+  return true;
+}
+
+void PartMatcher::forget() {
+  for (const PolygonFace f : walked_)
+    for (const PolygonCorner c : cells_.corners(f)) image_[c] = PolygonCorner();
+  walked_.clear();
+}
+
+}  // namespace abflat

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "alike/cells.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+
+/// Measures of a part that do not change if it is moved, turned, mirrored or renumbered.
+struct PartShape {
+  std::uint64_t key = 0;  ///< how its polygons hang together
+  std::uint32_t faces = 0;
+  Vec3 centre{};
+  double radius = 0;        ///< largest distance of a vertex from the centre
+  double meanDistance = 0;  ///< from the centre, over all corners
+  double meanEdge = 0;      ///< length
+};
+
+/// How far corresponding vertices may be apart, relative to the radius.
+constexpr double kAlikeTolerance = 1e-3;
+
+/// The shapes of all parts. Only those are measured that hang together like another one.
+struct PartShapes {
+  IdVector<PolygonFace, std::uint64_t> color;  ///< how the polygons around a polygon hang together
+  std::vector<PolygonFace> faces;              ///< part by part
+  IdVector<PartId, std::uint32_t> begin;       ///< in `faces`; one more than there are parts
+  IdVector<PartId, PartShape> part;
+
+  IdSpan<std::size_t, PolygonFace> facesOf(PartId i) const {
+    return {faces.data() + begin[i], begin[PartId(i + 1)] - begin[i]};
+  }
+  /// Whether the measures allow two parts to be alike.
+  bool mayBeAlike(PartId a, PartId b) const;
+};
+
+PartShapes shapesOf(const Cells& cells, const IdVector<PartId, std::uint8_t>& isLeftOut);
+
+double distanceBetween(const double* a, const double* b);
+
+}  // namespace abflat

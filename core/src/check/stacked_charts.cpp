@@ -1,0 +1,124 @@
+#include "check/stacked_charts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "exact/orientation.h"
+
+namespace abflat {
+namespace {
+
+using Box = std::array<double, 4>;
+using Edge = std::array<std::uint32_t, 2>;
+
+/// The edges of an outline, in the order of their places.
+using Outline = std::vector<std::array<double, 4>>;
+
+class StackFinder {
+ public:
+  StackFinder(const std::vector<double>& uv, const std::vector<std::uint32_t>& triangles,
+              const std::vector<std::uint32_t>& chartOf, std::size_t charts)
+      : uv_(uv), triangles_(triangles), chartOf_(chartOf), sameBox_(charts, 0), sign_(charts, 0) {
+    groupBoxes();
+    begin_.assign(charts + 1, 0);
+    for (const std::uint32_t c : chartOf_)
+      if (isGrouped(c)) ++begin_[c + 1];
+    for (std::size_t c = 0; c < charts; ++c) begin_[c + 1] += begin_[c];
+    ofChart_.resize(begin_.back());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t t = 0; t < chartOf_.size(); ++t)
+      if (isGrouped(chartOf_[t])) ofChart_[next[chartOf_[t]]++] = t;
+  }
+
+  std::vector<StackedChart> run(bool mayMirror) {
+    std::map<Outline, std::vector<std::uint32_t>> groups;
+    for (std::uint32_t c = 0; c < sameBox_.size(); ++c)
+      if (sameBox_[c] && (sign_[c] = signOf(c)) != 0) groups[outlineOf(c)].push_back(c);
+    std::vector<StackedChart> out(sameBox_.size());
+    for (const auto& [outline, charts] : groups) {
+      const auto base =
+          std::find_if(charts.begin(), charts.end(), [&](std::uint32_t c) { return sign_[c] > 0; });
+      if (base == charts.end()) continue;
+      for (const std::uint32_t c : charts)
+        if (c != *base && (sign_[c] > 0 || mayMirror)) out[c] = {*base, sign_[c] < 0};
+    }
+    return out;
+  }
+
+ private:
+  bool isGrouped(std::uint32_t chart) const { return chart < sameBox_.size() && sameBox_[chart]; }
+  const double* at(std::uint32_t v) const { return &uv_[2 * std::size_t{v}]; }
+  bool isEmpty(std::size_t t) const {
+    const std::uint32_t* v = &triangles_[3 * t];
+    return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+  }
+
+  /// Marks charts with the same box as another one.
+  void groupBoxes() {
+    std::vector<Box> boxes(sameBox_.size(), {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL});
+    for (std::size_t t = 0; t < chartOf_.size(); ++t) {
+      if (chartOf_[t] >= boxes.size() || isEmpty(t)) continue;
+      Box& box = boxes[chartOf_[t]];
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t d = 0; d < 2; ++d) {
+          const double x = at(triangles_[3 * t + k])[d];
+          box[d] = std::min(box[d], x);
+          box[2 + d] = std::max(box[2 + d], x);
+        }
+    }
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t c = 0; c < boxes.size(); ++c)
+      if (boxes[c][0] <= boxes[c][2]) order.push_back(c);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return boxes[a] < boxes[b]; });
+    for (std::size_t i = 1; i < order.size(); ++i)
+      if (boxes[order[i]] == boxes[order[i - 1]]) sameBox_[order[i]] = sameBox_[order[i - 1]] = 1;
+  }
+
+  /// Whether the chart's triangles run counter-clockwise (1) or clockwise (-1); 0 if none has area.
+  int signOf(std::uint32_t chart) const {
+    for (std::uint32_t i = begin_[chart]; i < begin_[chart + 1]; ++i) {
+      const std::uint32_t* v = &triangles_[3 * std::size_t{ofChart_[i]}];
+      if (const int sign = orientation(at(v[0]), at(v[1]), at(v[2])); sign != 0) return sign;
+    }
+    return 0;
+  }
+
+  /// As if it ran counter-clockwise.
+  Outline outlineOf(std::uint32_t chart) const {
+    std::vector<Edge> sides;
+    for (std::uint32_t i = begin_[chart]; i < begin_[chart + 1]; ++i) {
+      if (isEmpty(ofChart_[i])) continue;
+      const std::uint32_t* v = &triangles_[3 * std::size_t{ofChart_[i]}];
+      for (std::size_t k = 0; k < 3; ++k) sides.push_back({v[k], v[(k + 1) % 3]});
+    }
+    std::sort(sides.begin(), sides.end());
+    Outline out;
+    for (const auto& [from, to] : sides) {
+      if (std::binary_search(sides.begin(), sides.end(), Edge{to, from})) continue;
+      const double *a = at(sign_[chart] > 0 ? from : to), *b = at(sign_[chart] > 0 ? to : from);
+      out.push_back({a[0], a[1], b[0], b[1]});
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  const std::vector<double>& uv_;
+  const std::vector<std::uint32_t>&triangles_, &chartOf_;
+  std::vector<std::uint8_t> sameBox_;  ///< per chart, whether another one has the same box
+  std::vector<int> sign_;
+  std::vector<std::uint32_t> begin_, ofChart_;  ///< triangles by chart, of those in `sameBox_`
+};
+
+}  // namespace
+
+std::vector<StackedChart> findStackedCharts(const std::vector<double>& uv,
+                                            const std::vector<std::uint32_t>& triangles,
+                                            const std::vector<std::uint32_t>& chartOf,
+                                            std::size_t charts, bool mayMirror) {
+  return StackFinder(uv, triangles, chartOf, charts).run(mayMirror);
+}
+
+}  // namespace abflat
