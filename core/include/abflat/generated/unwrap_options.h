@@ -85,13 +85,16 @@ inline const char* nameOf(Up code) {
 
 /// How charts, which lie level and upright, are turned to pack tighter.
 enum class Rotate : int {
-  Free = 0,  ///< by any angle where that gains 3 % texels per unit or more
-  Quarter = 1,  ///< by quarter turns only
-  None = 2,  ///< not at all
+  Auto = 0,  ///< like free, but charts with straight outlines by quarter turns only
+  Free = 1,  ///< by any angle where that gains 3 % texels per unit or more
+  Quarter = 2,  ///< by quarter turns only
+  None = 3,  ///< not at all
 };
 
 inline const char* nameOf(Rotate code) {
   switch (code) {
+    case Rotate::Auto:
+      return "auto";
     case Rotate::Free:
       return "free";
     case Rotate::Quarter:
@@ -137,8 +140,8 @@ struct UnwrapOptionValues {
   double minUtilization = -1;
   /// which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis
   Up up = Up::Auto;
-  /// how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
-  Rotate rotate = Rotate::Free;
+  /// how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
+  Rotate rotate = Rotate::Auto;
   /// memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
   /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
@@ -161,7 +164,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
     {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
-    {"rotate", "--rotate", "free", "free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
+    {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
@@ -230,7 +233,7 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.up = static_cast<Up>(static_cast<int>(value));
       return true;
     case 14:
-      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      if (!(value >= 0 && value < 4 && value == std::trunc(value))) return false;
       options.rotate = static_cast<Rotate>(static_cast<int>(value));
       return true;
     case 15:
@@ -261,9 +264,10 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 13 && text == "auto") return found = true, 0;
   if (index == 13 && text == "y") return found = true, 1;
   if (index == 13 && text == "z") return found = true, 2;
-  if (index == 14 && text == "free") return found = true, 0;
-  if (index == 14 && text == "quarter") return found = true, 1;
-  if (index == 14 && text == "none") return found = true, 2;
+  if (index == 14 && text == "auto") return found = true, 0;
+  if (index == 14 && text == "free") return found = true, 1;
+  if (index == 14 && text == "quarter") return found = true, 2;
+  if (index == 14 && text == "none") return found = true, 3;
   if (index == 15 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
