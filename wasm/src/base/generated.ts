@@ -103,6 +103,8 @@ export type SeamCosts = 'sight' | 'length';
 
 export type SymmetricSeams = 'auto' | 'never' | 'always';
 
+export type Rectify = 'auto' | 'never' | 'always';
+
 export type Up = 'auto' | 'y' | 'z';
 
 export type Rotate = 'auto' | 'free' | 'quarter' | 'none';
@@ -117,6 +119,7 @@ export interface UnwrapOptionValues {
   symmetricSeams: SymmetricSeams;
   t: number | 'auto';
   straightSeams: boolean;
+  rectify: Rectify;
   resolution: number;
   padding: number;
   texelDensity: number | 'auto';
@@ -137,6 +140,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   symmetricSeams: 'auto',
   t: 'auto',
   straightSeams: false,
+  rectify: 'auto',
   resolution: 1024,
   padding: 2,
   texelDensity: 'auto',
@@ -158,6 +162,7 @@ export const UNWRAP_OPTIONS = {
   symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved', range: '' },
+  rectify: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that stays within the bound of stretch; never = leave outlines as they come out; always = whatever that stretches', range: 'auto, never, always' },
   resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels', range: 'at least 16 and at most 32768, whole' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts, and between far parts of one chart', range: 'at least 0 and at most 256, whole' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
