@@ -102,7 +102,9 @@ export class MoreControl {
     else this.addChoice(name);
   }
 
-  private addChoice(name: 'fillHoles' | 'symmetricSeams' | 'up' | 'rotate' | 'stack'): void {
+  private addChoice(
+    name: 'fillHoles' | 'symmetricSeams' | 'up' | 'rotate' | 'rectify' | 'stack',
+  ): void {
     const choices: readonly string[] = UNWRAP_OPTIONS[name].choices;
     const select = create('select', 'button');
     select.append(...choices.map((choice) => new Option(sentence(choice), choice)));

@@ -9,6 +9,7 @@ export const MORE = [
   'texelDensity',
   'up',
   'rotate',
+  'rectify',
   'stack',
   'straightSeams',
   'udim',
@@ -23,9 +24,10 @@ export interface MoreOptions extends Pick<UnwrapOptionValues, MoreName> {
 export const MORE_LABELS: Record<MoreName, string> = OPTION_LABELS;
 
 export function defaultOptions(): MoreOptions {
-  const { fillHoles, symmetricSeams, t, texelDensity, up, rotate, stack, straightSeams, udim } =
-    UNWRAP_DEFAULTS;
-  return { fillHoles, symmetricSeams, t, texelDensity, up, rotate, stack, straightSeams, udim };
+  const { fillHoles, symmetricSeams, t, texelDensity, up } = UNWRAP_DEFAULTS;
+  const { rotate, rectify, stack, straightSeams, udim } = UNWRAP_DEFAULTS;
+  const first = { fillHoles, symmetricSeams, t, texelDensity, up };
+  return { ...first, rotate, rectify, stack, straightSeams, udim };
 }
 
 /** Several tiles need a given texel density. */
