@@ -5,7 +5,14 @@ import { after, before, test } from 'node:test';
 import { createAbflat } from 'abflat';
 import { drum, objWithGroups, objWithNormals } from '../support/drums.mjs';
 import { ReportKeys } from '../support/report-keys.mjs';
-import { foldingPins, NEEDLE, rough, stellated, TOUCHING } from '../support/report-meshes.mjs';
+import {
+  foldingPins,
+  MIRROR_IMAGES,
+  NEEDLE,
+  rough,
+  stellated,
+  TOUCHING,
+} from '../support/report-meshes.mjs';
 import { CUBE_OF_PARTS, grid as gridText } from '../support/small-meshes.mjs';
 import { defects, knot, objText, sphere, torus, windows } from '../support/surfaces.mjs';
 import { bytesOf, grid } from './support/meshes.mjs';
@@ -58,6 +65,7 @@ test('flatten', async () => {
 test('unwrap', async () => {
   for (const text of [objText(defects()), NEEDLE, TOUCHING]) await unwrap(file(text));
   await unwrap(file(objText(defects())), { orient: true });
+  await unwrap(file(MIRROR_IMAGES), { stack: 'mirrored' });
   await unwrap(arraysOf(knot()), { straightSeams: true });
   await unwrap(arraysOf(windows(3)), { balance: 1 });
   const pins = [0, 6].map((vertex, i) => ({ vertex, uv: [0.1 + 0.3 * i, 0.2] }));

@@ -230,6 +230,8 @@ for (const [name, width, height] of [
       'texel-density',
       'up',
       'rotate',
+      'rectify',
+      'stack',
       'straight-seams',
     ]) {
       await page.keyboard.press('Tab');

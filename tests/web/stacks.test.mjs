@@ -2,9 +2,11 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { judgeStacks } from '../support/stacks.mjs';
 import { objText, together } from '../support/surfaces.mjs';
 import { atlas } from './layout.mjs';
-import { exportAs, metrics, openPage, settled, textOf } from './page.mjs';
+import { loadModule } from './modules.mjs';
+import { exportAs, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 /** A square that is a chart as it is, and one that lacks a corner. */
 const SQUARE = {
@@ -192,4 +194,110 @@ test('charts of different shapes are not stacked, and that is said', async (t) =
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.deepEqual((await atlas(page)).uv, before.uv);
   assert.ok(await page.isDisabled('#undo'));
+});
+
+/** A quad unlike its mirror image, copies of it, mirror images, and a square. */
+const QUAD = [
+  [0, 0, 0],
+  [3, 0, 0],
+  [2, 1, 0],
+  [0, 2, 0],
+];
+const MIRROR_IMAGE = { positions: QUAD.map(([x, y]) => [-x, y, 0]), faces: [[3, 2, 1, 0]] };
+const BOTH_SIDES = objText(
+  together([
+    [{ positions: QUAD, faces: [[0, 1, 2, 3]] }, [0, 0, 0]],
+    [MIRROR_IMAGE, [9, 0, 0]],
+    [{ positions: QUAD, faces: [[1, 2, 3, 0]] }, [12, 0, 0]],
+    [MIRROR_IMAGE, [20, 0, 0]],
+    [SQUARE, [0, 9, 0]],
+  ]),
+);
+
+async function stackEqual(page, how) {
+  if (await page.isHidden('#more')) await page.click('#more-toggle');
+  await page.selectOption('#more-stack', how);
+  await settled(page);
+}
+
+async function moveBy(page, distance) {
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('g');
+  await page.keyboard.press('x');
+  await page.keyboard.type(distance);
+  await page.keyboard.press('Enter');
+  await settled(page);
+}
+
+test('equal charts are stacked by an option, mirror images too, and stay so whatever is done next', async (t) => {
+  const page = await openPage(t, { ...SMALL, mode: 'unwrap', open: ['both.obj', BOTH_SIDES] });
+  const isStacked = async (charts) => {
+    assert.equal(await textOf(page, '#badge'), 'Valid');
+    assert.equal(await textOf(page, '#reason'), `${charts} charts stacked, no other overlaps`);
+    assert.ok(await page.isHidden('#marks'));
+  };
+  assert.equal(await textOf(page, '#reason'), 'No flipped triangles, no overlaps');
+  const apart = await utilization(page);
+  await stackEqual(page, 'identical');
+  await isStacked(4);
+  await stackEqual(page, 'mirrored');
+  await isStacked(4);
+  assert.equal(await textOf(page, '#more-state'), 'stack equal charts mirrored');
+  assert.ok((await utilization(page)) > 0.8 * apart, 'the room is used');
+  const { path } = await exportMesh(page);
+  const judged = judgeStacks(path);
+  assert.deepEqual([judged.isValid, judged.charts, judged.places], [true, 3, 1]);
+  assert.equal(judged.mirrored, 2);
+  await exportAs(page, 'glb');
+  assert.doesNotMatch(await textOf(page, '#run-text'), /flip|overlap/);
+  await page.click('#more-toggle');
+  await packAgain(page);
+  await isStacked(4);
+  // Moving the square leaves the stack alone.
+  await page.click('#charts tr[data-chart="4"]');
+  await moveBy(page, '0.001');
+  await isStacked(4);
+  // Without the chart below it, a mirror image is turned over.
+  await page.click('#charts tr[data-chart="3"]');
+  await moveBy(page, '-0.1');
+  assert.match(await textOf(page, '#reason'), /flipped/);
+  for (let i = 0; i < 2; i++) await page.click('#undo');
+  await settled(page);
+  await isStacked(4);
+  // Every chart of a stack stays with a locked one.
+  await page.locator('#charts .lock').nth(1).click();
+  await packAgain(page);
+  await isStacked(4);
+  await stackEqual(page, 'none');
+  assert.equal(await textOf(page, '#reason'), 'No flipped triangles, no overlaps');
+});
+
+test('the layout shows each place once, and what is selected or lies on hidden charts', async () => {
+  const { NO_STATES, unseen } = await loadModule('view/chart-flags');
+  const stacked = {
+    on: new Map([
+      [2, 0],
+      [3, 0],
+      [4, 1],
+    ]),
+    mirrored: new Set([3]),
+  };
+  const seen = (states) => [...unseen({ ...NO_STATES, stacked, ...states })].sort();
+  assert.deepEqual(seen({}), [2, 3, 4]);
+  assert.deepEqual(seen({ selected: new Set([3]) }), [2, 4]);
+  assert.deepEqual(seen({ hidden: new Set([0]) }), [0, 4]);
+  assert.equal(unseen(NO_STATES), NO_STATES.hidden);
+});
+
+test('stacks are read from a report, and charts stay with all that lie on them', async () => {
+  const { stacksIn, withStacks } = await loadModule('model/stacks');
+  const charts = [-1, -1, 0, 1, 0].map((stackedOn) => ({ stackedOn }));
+  const stacks = stacksIn({ charts });
+  assert.deepEqual(stacks, [
+    [0, 2, 4],
+    [1, 3],
+  ]);
+  assert.equal(stacksIn({ charts: charts.slice(0, 2) }), undefined);
+  assert.deepEqual([...withStacks(Uint32Array.of(3, 5), stacks)].sort(), [1, 3, 5]);
+  assert.deepEqual([...withStacks(Uint32Array.of(3), undefined)], [3]);
 });

@@ -43,10 +43,17 @@ function fromEarlier(settings: UnwrapSettings, last: Unwrapped | null): Earlier 
   // The numbers of locked charts are those of the layout in which they were locked.
   const isSame = keepsPlaces && (given !== undefined || kept.layout === last?.result);
   const known = isSame ? layout : kept.layout;
-  // What abflat has stacked stays together.
-  const isStacked = last?.settings.stack !== 'none' && kept.layout === last?.result;
-  const fixedCharts = isStacked ? withStacks(kept.charts, last?.stacks) : kept.charts;
+  const fixedCharts = kept.layout === last?.result ? lockedIn(last, settings) : kept.charts;
   return { known, fixedCharts, keepsPlaces: isSame, ...seams };
+}
+
+/** Locked charts: what abflat has stacked stays together, or of each stack one, if others are asked for. */
+function lockedIn({ settings: before, stacks }: Unwrapped, { kept, stack }: UnwrapSettings) {
+  const locked = kept?.charts ?? new Uint32Array();
+  if (before.stack === 'none') return locked;
+  const all = withStacks(locked, stacks);
+  const upper = new Set(stacks?.flatMap(([, ...others]) => others));
+  return stack === before.stack ? all : all.filter((chart) => !upper.has(chart));
 }
 
 /** Whether only seams have changed, and to listed ones: other sources may cut everything anew. */
