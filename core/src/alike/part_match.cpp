@@ -19,10 +19,7 @@ Vec3 fromCentre(const Cells& cells, const PartShape& shape, PolygonCorner c) {
   return out;
 }
 
-double squareBetween(const Vec3& a, const Vec3& b) {
-  const Vec3 v = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  return dot(v, v);
-}
+double distanceOf(const Vec3& a, const Vec3& b) { return distanceBetween(a.data(), b.data()); }
 
 Vec3 scaled(Vec3 v, double by) {
   for (double& x : v) x *= by;
@@ -88,7 +85,10 @@ bool PartMatcher::match(PartId model, const PartSeed& seed, PartId part, bool is
   std::size_t tries = 0;
   for (const PolygonCorner c : candidates(model, seed, part, isMirrored)) {
     if (++tries > kMostTries) break;
-    if (walk(c, seed.corner) && isCongruent()) return true;
+    const bool isFound = walk(c, seed.corner) && isCongruent();
+    for (const PolygonFace m : taken_) isTaken_[m] = 0;
+    taken_.clear();
+    if (isFound) return true;
     forget();
   }
   return false;
@@ -108,8 +108,8 @@ std::vector<PolygonCorner> PartMatcher::candidates(PartId model, const PartSeed&
       const double distance = norm(p);
       if (distance < seed.low - 2 * tolerance_ || distance > seed.high + 2 * tolerance_) continue;
       const PolygonCorner after = isMirrored ? cells_.prev(c) : cells_.next(c);
-      found.emplace_back(squareBetween(p, at) + squareBetween(fromCentre(cells_, own, after), next),
-                         c);
+      const double turn = distanceOf(p, at) + distanceOf(fromCentre(cells_, own, after), next);
+      found.emplace_back(turn, c);
     }
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
@@ -138,8 +138,11 @@ bool PartMatcher::walk(PolygonCorner from, PolygonCorner to) {
 
 bool PartMatcher::pairFaces(PolygonCorner from, PolygonCorner to) {
   const PolygonFace f = cells_.face[from], m = cells_.face[to];
-  if (cells_.size(f) != cells_.size(m) || shapes_.color[f] != shapes_.color[m]) return false;
+  if (cells_.size(f) != cells_.size(m) || shapes_.color[f] != shapes_.color[m] || isTaken_[m])
+    return false;
   walked_.push_back(f);
+  isTaken_[m] = 1;
+  taken_.push_back(m);
   for (std::uint32_t k = cells_.size(f); k > 0; --k) {
     image_[from] = to;
     if (!isSameEdge(from, to)) return false;
@@ -192,8 +195,8 @@ bool PartMatcher::isCongruent() const {
   const Frame frame(ownAlong, ownAside, isMirrored_), model(along, aside, false);
   for (const PolygonFace f : walked_)
     for (const PolygonCorner c : cells_.corners(f))
-      if (squareBetween(frame.in(fromCentre(cells_, own, c)),
-                        model.in(fromCentre(cells_, other, image_[c]))) > tolerance_ * tolerance_)
+      if (distanceOf(frame.in(fromCentre(cells_, own, c)),
+                     model.in(fromCentre(cells_, other, image_[c]))) > tolerance_)
         return false;
   return true;
 }

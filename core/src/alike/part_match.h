@@ -23,7 +23,7 @@ PartSeed seedOf(const Cells& cells, const PartShapes& shapes, PartId part);
 class PartMatcher {
  public:
   PartMatcher(const Cells& cells, const PartShapes& shapes)
-      : cells_(cells), shapes_(shapes), image_(cells.twin.size()) {}
+      : cells_(cells), shapes_(shapes), image_(cells.twin.size()), isTaken_(cells.part.size(), 0) {}
 
   /// Whether moving and turning, or mirroring as well, takes `part` to `model`. Sets the
   /// corresponding corners of the part then. Of several ways it takes the one with the least turn.
@@ -44,7 +44,9 @@ class PartMatcher {
   const Cells& cells_;
   const PartShapes& shapes_;
   CornerMatch image_;
-  std::vector<PolygonFace> walked_;  ///< polygons of the part, in order
+  IdVector<PolygonFace, std::uint8_t> isTaken_;  ///< polygons of the model that have been reached
+  std::vector<PolygonFace> taken_;               ///< the same as a list
+  std::vector<PolygonFace> walked_;              ///< polygons of the part, in order
   PartId model_, part_;
   bool isMirrored_ = false;
   double tolerance_ = 0;

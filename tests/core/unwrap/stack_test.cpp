@@ -275,26 +275,22 @@ TEST_CASE("without copies, stacking changes nothing", "[stack]") {
 
 TEST_CASE("a copy whose own diagonals fold in the layout of its model is left apart", "[stack]") {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(-1, 1);
-  int stacked = 0, apart = 0;
-  for (int k = 0; k < 300; ++k) {
+  std::uniform_real_distribution<double> place(-1.2, 1.2);
+  constexpr int kPairs = 400;
+  PolygonMesh mesh;
+  for (int k = 0; k < kPairs; ++k) {
     // A bent quad, and a copy that begins at the next corner, so that it is split the other way.
+    const double size = 1 + 0.01 * k;
     PolygonMesh quad;
-    for (const double x : {0., 1., 1., 0.}) quad.positions.insert(quad.positions.end(), {x, 0, 0});
-    for (const std::size_t v : {2, 3}) quad.positions[3 * v + 1] = 1;
-    for (double& x : quad.positions) x += place(random);
+    quad.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    for (double& x : quad.positions) x = size * (x + place(random));
     quad.faceVertices = {0, 1, 2, 3};
     quad.faceOffsets = {0, 4};
-    PolygonMesh other = moved(quad, randomMotion(random, false), false);
-    other.faceVertices = {1, 2, 3, 0};
-    PolygonMesh mesh;
-    append(mesh, quad);
-    append(mesh, other);
-    const Result<UnwrapResult> result = unwrap(mesh, stacking(Stack::Identical));
-    if (!result.ok() || !result.value.report.valid) continue;
-    REQUIRE(areStacksExact(mesh, result.value));
-    ++(result.value.report.atlas.stackedCharts > 0 ? stacked : apart);
+    append(mesh, moved(quad, randomMotion(random, false), false));
+    quad.faceVertices = {1, 2, 3, 0};
+    append(mesh, moved(quad, randomMotion(random, false), false));
   }
-  CHECK(stacked > 100);
-  CHECK(apart > 0);
+  const UnwrapResult result = stackedExactly(mesh, stacking(Stack::Identical));
+  CHECK(result.report.atlas.stackedCharts < kPairs);
+  CHECK(result.report.atlas.stackedCharts > 0.9 * kPairs);
 }
