@@ -22,12 +22,13 @@ void append(const AtlasTriangles& from, std::size_t i, bool isTurned, AtlasTrian
 /// Edges with one triangle, whichever way they run.
 std::set<Edge> outlineOf(const AtlasTriangles& chart) {
   std::map<Edge, int> count;
-  for (std::size_t i = 0; i < chart.uv.size(); i += 6)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t a = i + 2 * k, b = i + 2 * ((k + 1) % 3);
-      const Point p = {chart.uv[a], chart.uv[a + 1]}, q = {chart.uv[b], chart.uv[b + 1]};
-      if (p != q) ++count[std::minmax(p, q)];
-    }
+  for (std::size_t i = 0; i < chart.uv.size(); i += 6) {
+    const auto at = [&](std::size_t k) {
+      return Point{chart.uv[i + 2 * k], chart.uv[i + 2 * k + 1]};
+    };
+    if (at(0) == at(1) || at(1) == at(2) || at(2) == at(0)) continue;  // covers nothing
+    for (std::size_t k = 0; k < 3; ++k) ++count[std::minmax(at(k), at((k + 1) % 3))];
+  }
   std::set<Edge> out;
   for (const auto& [edge, times] : count)
     if (times % 2 == 1) out.insert(edge);

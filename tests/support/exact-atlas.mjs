@@ -174,8 +174,8 @@ export function cutPolygon(points) {
 }
 
 /**
- * What a reader finds in a file: `faces` as lists of corners { place, uv }, three each for a glTF,
- * with v upwards. The v of a glTF is 1 - v', which is not rounded here: it is taken as -v', in
+ * What a reader finds in a file: `faces` as lists of corners { place, uv, id }, three each for a
+ * glTF, with v upwards; `id` is the same for corners that share a texcoord. The v of a glTF is 1 - v', which is not rounded here: it is taken as -v', in
  * tiles from -1 up.
  */
 export function readAtlas(path) {
@@ -195,7 +195,11 @@ function fromObj(text) {
       faces.push(
         words.map((word) => {
           const [v, t] = word.split('/').map(Number);
-          return { place: positions.at(v < 0 ? v : v - 1), uv: texcoords.at(t < 0 ? t : t - 1) };
+          return {
+            place: positions.at(v < 0 ? v : v - 1),
+            uv: texcoords.at(t < 0 ? t : t - 1),
+            id: t,
+          };
         }),
       );
   }
@@ -207,19 +211,23 @@ function fromPly(file) {
   const places = column(vertex, 'x', 'y', 'z');
   const uv = column(vertex, 's', 't');
   const faces = column(elementOf(file, 'face'), 'vertex_indices').map((face) =>
-    face.map((v) => ({ place: places[v], uv: uv[v] })),
+    face.map((v) => ({ place: places[v], uv: uv[v], id: v })),
   );
   return { faces, lowestRow: 0 };
 }
 
 function fromGltf(model, set = 0) {
   const faces = [];
+  let first = 0;
   for (const mesh of model.json.meshes)
     for (const primitive of mesh.primitives.filter((p) => (p.mode ?? 4) >= 4)) {
       const places = elementsOf(model, primitive.attributes.POSITION);
       const uv = elementsOf(model, primitive.attributes[`TEXCOORD_${set}`]);
       for (const face of trianglesOf(model, primitive))
-        faces.push(face.map((v) => ({ place: places[v], uv: [uv[v][0], -uv[v][1]] })));
+        faces.push(
+          face.map((v) => ({ place: places[v], uv: [uv[v][0], -uv[v][1]], id: first + v })),
+        );
+      first += places.length;
     }
   return { faces, lowestRow: -1 };
 }

@@ -11,11 +11,9 @@ function areaOf(face) {
   return face.reduce((sum, c, i) => sum + cross(c, face[(i + 1) % face.length]), 0);
 }
 
-/**
- * Faces by chart. Faces of a chart share an edge, the same places with the same uv there, and run
- * alike: where mirror images meet, one is folded onto the other.
- */
-function chartsIn(faces) {
+/** Faces by chart: those that share both texcoords of an edge. Faces without area are left out. */
+function chartsIn(all) {
+  const faces = all.filter((face) => !isThinInSpace(face));
   const parent = faces.map((_, f) => f);
   const root = (f) => {
     while (parent[f] !== f) f = parent[f] = parent[parent[f]];
@@ -23,10 +21,9 @@ function chartsIn(faces) {
   };
   const seen = new Map();
   for (const [f, face] of faces.entries()) {
-    const ends = face.map((corner) => `${corner.place} ${corner.uv}`);
-    const side = areaOf(face) < 0 ? '-' : '+';
+    const ends = face.map(({ id }) => id);
     for (const [i, end] of ends.entries()) {
-      const edge = side + [end, ends[(i + 1) % ends.length]].sort().join('|');
+      const edge = [end, ends[(i + 1) % ends.length]].sort((a, b) => a - b).join(' ');
       if (seen.has(edge)) parent[root(f)] = root(seen.get(edge));
       else seen.set(edge, f);
     }
