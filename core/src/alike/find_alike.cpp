@@ -1,7 +1,6 @@
 #include "alike/find_alike.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "base/stable_order.h"
@@ -27,10 +26,10 @@ std::vector<PartId> inOrder(const PartShapes& shapes) {
   std::vector<PartId> out;
   for (const PartId i : shapes.part.ids())
     if (shapes.part[i].radius > 0) out.push_back(i);
-  std::sort(out.begin(), out.end(), [&](PartId a, PartId b) {
+  sortStably(out, [&](PartId a, PartId b) {
     const PartShape &p = shapes.part[a], &q = shapes.part[b];
-    return std::tuple(p.key, p.radius, placeOf(p), std::uint32_t{a}) <
-           std::tuple(q.key, q.radius, placeOf(q), std::uint32_t{b});
+    if (p.key != q.key) return p.key < q.key;
+    return p.radius != q.radius ? p.radius < q.radius : placeOf(p) < placeOf(q);
   });
   return out;
 }
@@ -51,6 +50,7 @@ class AlikeFinder {
     for (const PolygonFace f : cells_.part.ids())
       for (const PolygonCorner c : cells_.corners(f))
         if (cells_.part[f].exists() && !out[c].exists()) out[c] = c;
+    onto_.resize(out.size());
     for (const Model& model : found_) moveToFirst(model, out);
     return out;
   }
@@ -84,22 +84,17 @@ class AlikeFinder {
 
   /// Makes the part with the least place the model of all, so that which one it is does not depend
   /// on rounding.
-  void moveToFirst(const Model& model, CornerMatch& match) const {
+  void moveToFirst(const Model& model, CornerMatch& match) {
     const auto place = [&](PartId i) { return placeOf(shapes_.part[i]); };
     PartId first = model.part;
     for (const PartId i : model.others)
       if (place(i) < place(first)) first = i;
     if (first == model.part) return;
-    std::vector<std::pair<PolygonCorner, PolygonCorner>> onto;  // of the former model, on the new
     for (const PolygonFace f : shapes_.facesOf(first))
-      for (const PolygonCorner c : cells_.corners(f)) onto.emplace_back(match[c], c);
-    std::sort(onto.begin(), onto.end());
-    const auto moved = [&](PolygonCorner c) {
-      return std::lower_bound(onto.begin(), onto.end(), std::pair(c, PolygonCorner(0)))->second;
-    };
+      for (const PolygonCorner c : cells_.corners(f)) onto_[match[c]] = c;
     const auto move = [&](PartId i) {
       for (const PolygonFace f : shapes_.facesOf(i))
-        for (const PolygonCorner c : cells_.corners(f)) match[c] = moved(match[c]);
+        for (const PolygonCorner c : cells_.corners(f)) match[c] = onto_[match[c]];
     };
     move(model.part);
     for (const PartId i : model.others) move(i);
@@ -111,6 +106,7 @@ class AlikeFinder {
   PartMatcher matcher_;
   std::vector<Model> models_;  ///< that hang together alike
   std::vector<Model> found_;   ///< with others
+  CornerMatch onto_;           ///< where corners of a former model lie on the new one
 };
 
 }  // namespace

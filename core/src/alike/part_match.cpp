@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "base/stable_order.h"
@@ -53,9 +52,8 @@ PartSeed seedOf(const Cells& cells, const PartShapes& shapes, PartId part) {
   for (const PolygonFace f : shapes.facesOf(part))
     for (const PolygonCorner c : cells.corners(f))
       all.push_back({shapes.color[f], norm(fromCentre(cells, shape, c)), c});
-  std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
-    return std::tuple(a.color, a.distance, std::uint32_t{a.corner}) <
-           std::tuple(b.color, b.distance, std::uint32_t{b.corner});
+  sortStably(all, [](const Candidate& a, const Candidate& b) {
+    return a.color != b.color ? a.color < b.color : a.distance < b.distance;
   });
   const double gap = 2 * kAlikeTolerance * shape.radius;
   std::size_t best = 0, count = all.size() + 1;
@@ -64,7 +62,9 @@ PartSeed seedOf(const Cells& cells, const PartShapes& shapes, PartId part) {
                       all[end].distance - all[end - 1].distance <= gap;)
       ++end;
     const bool isFarther = end - i == count && all[i].distance > all[best].distance + gap;
-    if (end - i < count || isFarther) std::tie(best, count) = std::pair(i, end - i);
+    if (end - i >= count && !isFarther) continue;
+    best = i;
+    count = end - i;
   }
   const auto first = all.begin() + static_cast<std::ptrdiff_t>(best);
   const auto last = first + static_cast<std::ptrdiff_t>(count);
@@ -112,9 +112,7 @@ std::vector<PolygonCorner> PartMatcher::candidates(PartId model, const PartSeed&
       found.emplace_back(turn, c);
     }
   }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-  });
+  sortStably(found, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PolygonCorner> out;
   for (const auto& [turn, c] : found) out.push_back(c);
   return out;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stable_order.h"
+
 namespace abflat {
 namespace {
 
@@ -90,20 +92,21 @@ PartShapes shapesOf(const Cells& cells, const IdVector<PartId, std::uint8_t>& is
   out.color = colorsOf(cells);
   listFaces(cells, out);
   out.part.resize(cells.parts);
-  std::vector<std::uint64_t> keys;
   for (const PartId i : out.part.ids()) {
     if (isLeftOut[i]) continue;
     PartShape& shape = out.part[i];
     shape.faces = static_cast<std::uint32_t>(out.facesOf(i).size());
     for (const PolygonFace f : out.facesOf(i)) shape.key += scrambled(out.color[f]);
-    keys.push_back(shape.key);
   }
-  std::sort(keys.begin(), keys.end());
-  for (const PartId i : out.part.ids()) {
-    if (isLeftOut[i]) continue;
-    const auto [first, last] = std::equal_range(keys.begin(), keys.end(), out.part[i].key);
-    if (last - first > 1) measure(cells, out, i, out.part[i]);
-  }
+  const auto keyOf = [&](std::uint32_t i) { return out.part[PartId(i)].key; };
+  const std::vector<std::uint32_t> order = stableOrder(
+      cells.parts, [&](std::uint32_t a, std::uint32_t b) { return keyOf(a) < keyOf(b); });
+  const auto isSame = [&](std::size_t i, std::size_t k) {
+    return k < order.size() && keyOf(order[i]) == keyOf(order[k]);
+  };
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (const PartId part(order[i]); !isLeftOut[part] && (isSame(i, i - 1) || isSame(i, i + 1)))
+      measure(cells, out, part, out.part[part]);
   return out;
 }
 

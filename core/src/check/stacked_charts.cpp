@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <functional>
+#include <utility>
 
+#include "base/stable_order.h"
 #include "exact/orientation.h"
 
 namespace abflat {
@@ -33,16 +35,18 @@ class StackFinder {
   }
 
   std::vector<StackedChart> run(bool mayMirror) {
-    std::map<Outline, std::vector<std::uint32_t>> groups;
+    std::vector<std::pair<Outline, std::uint32_t>> charts;
     for (std::uint32_t c = 0; c < sameBox_.size(); ++c)
-      if (sameBox_[c] && (sign_[c] = signOf(c)) != 0) groups[outlineOf(c)].push_back(c);
+      if (sameBox_[c] && (sign_[c] = signOf(c)) != 0) charts.emplace_back(outlineOf(c), c);
+    sortStably(charts, [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<StackedChart> out(sameBox_.size());
-    for (const auto& [outline, charts] : groups) {
-      const auto base =
-          std::find_if(charts.begin(), charts.end(), [&](std::uint32_t c) { return sign_[c] > 0; });
-      if (base == charts.end()) continue;
-      for (const std::uint32_t c : charts)
-        if (c != *base && (sign_[c] > 0 || mayMirror)) out[c] = {*base, sign_[c] < 0};
+    for (std::size_t i = 0, end = 0; i < charts.size(); i = end) {
+      std::uint32_t base = kOnNone;
+      for (end = i; end < charts.size() && charts[end].first == charts[i].first; ++end)
+        if (base == kOnNone && sign_[charts[end].second] > 0) base = charts[end].second;
+      for (std::size_t k = i; k < end && base != kOnNone; ++k)
+        if (const std::uint32_t c = charts[k].second; c != base && (sign_[c] > 0 || mayMirror))
+          out[c] = {base, sign_[c] < 0};
     }
     return out;
   }
@@ -71,8 +75,7 @@ class StackFinder {
     std::vector<std::uint32_t> order;
     for (std::uint32_t c = 0; c < boxes.size(); ++c)
       if (boxes[c][0] <= boxes[c][2]) order.push_back(c);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return boxes[a] < boxes[b]; });
+    sortStably(order, [&](std::uint32_t a, std::uint32_t b) { return boxes[a] < boxes[b]; });
     for (std::size_t i = 1; i < order.size(); ++i)
       if (boxes[order[i]] == boxes[order[i - 1]]) sameBox_[order[i]] = sameBox_[order[i - 1]] = 1;
   }
@@ -94,14 +97,14 @@ class StackFinder {
       const std::uint32_t* v = &triangles_[3 * std::size_t{ofChart_[i]}];
       for (std::size_t k = 0; k < 3; ++k) sides.push_back({v[k], v[(k + 1) % 3]});
     }
-    std::sort(sides.begin(), sides.end());
+    sortStably(sides, std::less<>());
     Outline out;
     for (const auto& [from, to] : sides) {
       if (std::binary_search(sides.begin(), sides.end(), Edge{to, from})) continue;
       const double *a = at(sign_[chart] > 0 ? from : to), *b = at(sign_[chart] > 0 ? to : from);
       out.push_back({a[0], a[1], b[0], b[1]});
     }
-    std::sort(out.begin(), out.end());
+    sortStably(out, std::less<>());
     return out;
   }
 

@@ -1,10 +1,10 @@
 #include "unwrap/spread.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "base/point2.h"
+#include "base/stable_order.h"
 #include "cut/filled_table.h"
 
 namespace abflat {
@@ -103,9 +103,8 @@ class Spreader {
       rim.chart = components.ofTriangle[triangleOf(rim.h)];
       rim.hole = holeOf(triangleOf(rim.filling));
     }
-    std::sort(rims_.begin(), rims_.end(), [](const RimEdge& a, const RimEdge& b) {
-      return std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>(a.chart, a.hole, a.h) <
-             std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>(b.chart, b.hole, b.h);
+    sortStably(rims_, [](const RimEdge& a, const RimEdge& b) {
+      return a.chart != b.chart ? a.chart < b.chart : a.hole < b.hole;
     });
     listHoles();
     for (std::size_t i = 0, end = 0; i < rims_.size(); i = end) {
