@@ -114,6 +114,7 @@ std::vector<PolygonCorner> PartMatcher::candidates(PartId model, const PartSeed&
   }
   sortStably(found, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PolygonCorner> out;
+  out.reserve(found.size());
   for (const auto& [turn, c] : found) out.push_back(c);
   return out;
 }
