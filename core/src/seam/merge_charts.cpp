@@ -73,13 +73,16 @@ class Merger {
 
  private:
   std::uint32_t joinAll() {
+    constexpr int kMostFruitless = 3;  // runs that share charts with longer ones get a turn
     std::uint32_t done = 0;
+    int fruitless = 0;
     while (work_.goesOn()) {
       CutSurface apart = cutAlong(mesh_, seams_, pulse_);
       const std::vector<SharedRun> runs = matching(apart);
       if (runs.empty()) break;
       const std::uint32_t now = joinWherePossible(runs, std::move(apart));
-      if (now == 0 && !isHinge_) break;  // the other runs are shorter
+      fruitless = now == 0 ? fruitless + 1 : 0;
+      if (fruitless == kMostFruitless && !isHinge_) break;
       done += now;
     }
     return done;
