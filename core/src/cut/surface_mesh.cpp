@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "base/few_bits.h"
 #include "base/long_sum.h"
+#include "cut/edge_bends.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -85,23 +87,28 @@ void measureTriangle(SeamMesh& m, SurfaceTriangle f, IdVector<SurfaceCorner, dou
   }
 }
 
-/// 0 where the surface is flat or convex, 1 in a sharp concave crease.
-double creaseShare(const SeamMesh& m, SurfaceCorner h) {
-  const SurfaceCorner o = m.twin[h];
+bool isConcave(const SeamMesh& m, SurfaceCorner h) {
   const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, triangleOf(h));
-  const std::array<std::uint32_t, 3> w = verticesOf(m.vertexOfCorner, triangleOf(o));
   const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
-  const Vec3 q = cross(edgeVector(m.positions, w[0], w[1]), edgeVector(m.positions, w[0], w[2]));
-  const double scale = norm(n) * norm(q);
-  if (!(scale > 0)) return 0;
-  const double bend = (1 - dot(n, q) / scale) / 2;  // 0 if flat, 1/2 at a right angle
-  const Vec3 across = edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[prevCorner(o)]);
-  const double share = std::min(1.0, 2 * bend);
-  return dot(across, n) > 0 ? share : share / 2;  // a convex ridge hides a seam less than a crease
+  const SurfaceCorner apex = prevCorner(m.twin[h]);
+  return dot(edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[apex]), n) > 0;
 }
 
-void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
-  constexpr double kDiscount = 0.4;
+/// Cost of a seam where the surface bends that much, relative to its length. Nothing hides a seam
+/// in a flat face; a crease does, a concave one a little better.
+double costWhere(double bend, bool isConcave) {
+  constexpr double kFlat = 1e-3, kOfFlat = 1.5;
+  static double kSmooth = (getenv("X_LO") ? atof(getenv("X_LO")) : 10) * kPi / 180, kCrease = (getenv("X_HI") ? atof(getenv("X_HI")) : 75) * kPi / 180;
+  static double kOfConvex = getenv("X_C") ? atof(getenv("X_C")) : 0.25; double kOfConcave = kOfConvex * .8;
+  if (bend < kFlat) return kOfFlat;
+  static double kMid = (getenv("X_MD") ? atof(getenv("X_MD")) : 35) * kPi / 180, kOfMid = getenv("X_MC") ? atof(getenv("X_MC")) : .6;
+  const auto step = [](double x) { x = std::clamp(x, 0.0, 1.0); return x * x * (3 - 2 * x); };
+  if (bend < kMid) return 1 - (1 - kOfMid) * step((bend - kSmooth) / (kMid - kSmooth));
+  return kOfMid - (kOfMid - (isConcave ? kOfConcave : kOfConvex)) * step((bend - kMid) / (kCrease - kMid));
+}
+
+void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent, const Pulse& pulse) {
+  const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
   for (const SurfaceCorner h : m.corners()) {
     const SurfaceCorner o = m.twin[h];
     if (o < h) continue;
@@ -110,7 +117,7 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
     if (o.exists()) {
       w += cotangent[prevCorner(o)] / 2;
       m.length[o] = m.length[h];
-      m.cost[h] = m.cost[o] = inFewBits(m.length[h] * (1 - kDiscount * creaseShare(m, h)));
+      m.cost[h] = m.cost[o] = inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h)));
     }
     m.weight[h] = inFewBits(std::clamp(w, kLeastWeight, kMostWeight));
     if (o.exists()) m.weight[o] = m.weight[h];
@@ -150,7 +157,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
     measureTriangle(m, f, cotangent);
     pulse.beat();
   }
-  weighEdges(m, cotangent);
+  weighEdges(m, cotangent, pulse);
   pulse.beat(corners);
   for (const SurfaceCorner h : isDiagonal.ids())
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();

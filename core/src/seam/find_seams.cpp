@@ -5,6 +5,7 @@
 
 #include "base/stopwatch.h"
 #include "hole/fill_holes.h"
+#include "seam/crease_seams.h"
 #include "seam/cut_to_disks.h"
 #include "seam/extract_charts.h"
 #include "seam/fair_seams.h"
@@ -12,6 +13,7 @@
 #include "seam/log_scale.h"
 #include "seam/merge_charts.h"
 #include "seam/prediction.h"
+#include "seam/seam_value.h"
 #include "seam/shorten_seams.h"
 #include "seam/slits.h"
 #include "seam/split_charts.h"
@@ -347,6 +349,64 @@ class SymmetricFinder {
   const SeamOptions& options_;
 };
 
+/// Finds seams once more for components that have creases, starting with charts between creases,
+/// and keeps what costs less.
+class CreaseFinder {
+ public:
+  CreaseFinder(const SeamMesh& mesh, const SeamOptions& options) : mesh_(mesh), options_(options) {}
+
+  /// `seams`, which `report` describes, were found starting with the whole components.
+  void run(Seams& seams, SeamReport& report) const {
+    const Seams creases = creasesToBegin(mesh_);
+    if (creases.empty()) return;
+    const CutSurface whole = cutAlong(mesh_, Seams(mesh_.twin.size(), 0));
+    IdVector<CutChartId, std::uint8_t> isWanted(whole.charts.size(), 0);
+    for (const SurfaceCorner h : creases.ids())
+      if (creases[h]) isWanted[whole.chartOf(h)] = 1;
+    const SeamPart part = extractCharts(mesh_, whole, isWanted);
+    SeamOptions options = options_;
+    options.first = part.ofCorners(creases);
+    options.eliminationRanks = part.ofVertices(report.eliminationRanks);
+    SeamReport own;
+    const Seams found = Finder(part.mesh, Seams(part.mesh.twin.size(), 0), options, own).run();
+    if (own.cancelled) report.cancelled = true;
+    if (own.cancelled) return;
+    Seams other = seams;
+    LogScales scale = report.scale;
+    for (const SurfaceCorner i : found.ids()) other[part.wholeHalfEdge[i]] = found[i];
+    for (const SurfaceVertex i : own.scale.ids()) scale[part.wholeVertex[i]] = own.scale[i];
+    const auto costs = [&](const Seams& x, const LogScales& u) {
+      return costOfParts(mesh_, x, u, options_.maxStretch, whole.chartOfTriangle,
+                         whole.charts.size());
+    };
+    const IdVector<CutChartId, double> before = costs(seams, report.scale),
+                                       after = costs(other, scale);
+    if (getenv("X_SHOW"))
+      for (const CutChartId c : before.ids())
+        if (isWanted[c]) fprintf(stderr, "component %u: %u triangles, cost %.4f -> %.4f\n", unsigned(c), whole.charts[c].triangles, before[c], after[c]);
+    for (const SurfaceCorner i : found.ids()) {
+      const SurfaceCorner h = part.wholeHalfEdge[i];
+      const CutChartId c = whole.chartOf(h);
+      if (!(after[c] < before[c])) continue;
+      seams[h] = found[i];
+      report.found[h] = own.found[i];
+      const SurfaceVertex v = mesh_.tail(h), w = part.mesh.tail(i);
+      report.scale[v] = own.scale[w];
+      report.foundScale[v] = own.foundScale[w];
+    }
+    // Recount
+    const CutSurface s = cutAlong(mesh_, seams);
+    report.charts = 0;
+    for (const CutSurface::Chart& chart : s.charts)
+      report.charts += !mesh_.isFilling(chart.firstTriangle);
+    report.stretch = predictStretch(mesh_, s, report.scale).total;
+  }
+
+ private:
+  const SeamMesh& mesh_;
+  const SeamOptions& options_;
+};
+
 /// With seams marked on both sides.
 Seams findInOrder(const SeamMesh& mesh, Seams seams, const SeamOptions& options,
                   SeamReport& report) {
@@ -354,6 +414,7 @@ Seams findInOrder(const SeamMesh& mesh, Seams seams, const SeamOptions& options,
                       std::find(seams.begin(), seams.end(), 1) == seams.end();
   if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, report).run();
   if (!isFree) report.asymmetry = Asymmetry::SeamsGiven;
+  if (isFree && !report.cancelled && !getenv("X_NOB")) CreaseFinder(mesh, options).run(seams, report);
   if (isFree && !report.cancelled) SymmetricFinder(mesh, options).run(seams, report);
   report.seamLength = lengthOf(mesh, seams);
   const double size = std::sqrt(mesh.totalArea());

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <cmath>
 #include <map>
 
 #include "base/stable_order.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/seam_tips.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 namespace {
@@ -145,7 +147,8 @@ class Shortener {
         const SeamTip& tip = choice.tip;
         choice.count = tip.edges.size();
         while (choice.count > 0 &&
-               tip.stretch[choice.count - 1] > rate * tip.length[choice.count - 1])
+               (tip.stretch[choice.count - 1] > rate * tip.length[choice.count - 1] ||
+                !isWorth(c, tip, choice.count)))
           --choice.count;
         if (choice.count > 0) sum += tip.stretch[choice.count - 1];
       }
@@ -161,6 +164,14 @@ class Shortener {
     }
     takeAt(low);
     keepLongest(progress_[c].most, choices);
+  }
+
+  /// Whether it is better not to have the first `count` edges of a tip.
+  bool isWorth(CutChartId c, const SeamTip& tip, std::size_t count) const {
+    const SeamPrices prices;
+    const double all = mesh_.totalArea(), is = prediction_.stretch[c];
+    const double more = prices.ofStretch(is + progress_[c].model * tip.stretch[count - 1]) - prices.ofStretch(is);
+    return more * surface_.charts[c].area / all <= tip.length[count - 1] / std::sqrt(all);
   }
 
   /// Keeps only the `most` longest choices, after more of them did not work together.

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "cut/surface_mesh.h"
+
+namespace abflat {
+
+/// How far the surface turns across each edge, in radians: between its directions on either side,
+/// at right angles to the edge and within a small share of the size of its component. So a bevel of
+/// narrow faces bends as much as the crease that it stands for. 0 on the boundary.
+IdVector<SurfaceCorner, double> edgeBends(const SeamMesh& mesh, const Pulse& pulse = {});
+
+}  // namespace abflat
