@@ -13,22 +13,31 @@ function chunk(type, data) {
   return out;
 }
 
-/** `at(x, y)` has the three or four numbers of a pixel, counted from the upper left. */
-export function madePng(width, height, at) {
+/** `pixels` has four bytes for each pixel, in rows from the upper left. */
+export function encodedPng(width, height, pixels) {
   const header = Buffer.alloc(13);
   header.writeUInt32BE(width, 0);
   header.writeUInt32BE(height, 4);
   header.set([8, 6, 0, 0, 0], 8);
-  const rows = Buffer.alloc(height * (4 * width + 1));
+  const stride = 4 * width;
+  const rows = Buffer.alloc(height * (stride + 1));
   for (let y = 0; y < height; y++)
-    for (let x = 0; x < width; x++) {
-      const [red, green, blue, alpha = 255] = at(x, y);
-      rows.set([red, green, blue, alpha], y * (4 * width + 1) + 1 + 4 * x);
-    }
+    rows.set(pixels.subarray(y * stride, (y + 1) * stride), y * (stride + 1) + 1);
   return Buffer.concat([
     SIGNATURE,
     chunk('IHDR', header),
     chunk('IDAT', deflateSync(rows)),
     chunk('IEND', Buffer.alloc(0)),
   ]);
+}
+
+/** `at(x, y)` has the three or four numbers of a pixel, counted from the upper left. */
+export function madePng(width, height, at) {
+  const pixels = Buffer.alloc(4 * width * height);
+  for (let y = 0; y < height; y++)
+    for (let x = 0; x < width; x++) {
+      const [red, green, blue, alpha = 255] = at(x, y);
+      pixels.set([red, green, blue, alpha], 4 * (y * width + x));
+    }
+  return encodedPng(width, height, pixels);
 }
