@@ -266,13 +266,14 @@ class Merger {
   /// Whether what is gained by joining along a run is worth the stretch.
   bool isWorth(const Trial& trial, SurfaceCorner h, const SharedRun& run) const {
     const SeamPrices prices;
-    const double all = mesh_.totalArea();
-    const auto strainOf = [&](const CutSurface& s, const Prediction& told, CutChartId c) {
+    const CutChartId whole = trial.joined.chartOf(h);
+    const double all = trial.joined.charts[whole].area;
+    const auto costOf = [&](const CutSurface& s, const Prediction& told, CutChartId c) {
       return prices.ofStretch(told.stretch[c]) * s.charts[c].area / all;
     };
-    double more = strainOf(trial.joined, trial.prediction, trial.joined.chartOf(h));
+    double more = costOf(trial.joined, trial.prediction, whole);
     for (const SurfaceCorner side : {h, meshOf(trial).twin[h]})
-      more -= strainOf(trial.apart, trial.before, trial.apart.chartOf(side));
+      more -= costOf(trial.apart, trial.before, trial.apart.chartOf(side));
     static double kHg = getenv("X_HG") ? atof(getenv("X_HG")) : 0.5;
     if (isHinge_ && run.cost < kHg * run.length) return false;
     return run.cost / std::sqrt(all) + prices.chart >= more;

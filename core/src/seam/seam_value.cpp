@@ -13,10 +13,11 @@ IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seam
                                          std::size_t parts, const SeamPrices& prices) {
   constexpr double kBeyondBound = 10;  // times as bad
   IdVector<CutChartId, double> out(parts, 0);
-  const double all = mesh.totalArea(), size = std::sqrt(all);
-  if (!(all > 0)) return out;
+  IdVector<CutChartId, double> area(parts, 0);
+  for (const SurfaceTriangle f : mesh.triangles()) area[partOf[f]] += mesh.area[f];
   for (const SurfaceCorner h : seams.ids())
-    if (seams[h] && mesh.isOnSurface(h)) out[partOf[triangleOf(h)]] += mesh.cost[h] / 2 / size;
+    if (seams[h] && mesh.isOnSurface(h))
+      out[partOf[triangleOf(h)]] += mesh.cost[h] / 2 / std::sqrt(area[partOf[triangleOf(h)]]);
   const CutSurface s = cutAlong(mesh, seams);
   const Prediction told = predictStretch(mesh, s, u);
   for (const CutChartId c : s.charts.ids()) {
@@ -24,7 +25,7 @@ IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seam
     if (mesh.isFilling(f)) continue;
     const double beyond = std::max(0.0, told.stretch[c] - maxStretch);
     out[partOf[f]] += prices.chart + prices.ofStretch(told.stretch[c] + kBeyondBound * beyond) *
-                                         s.charts[c].area / all;
+                                         s.charts[c].area / area[partOf[f]];
   }
   return out;
 }

@@ -10,10 +10,10 @@ namespace abflat {
 /// What makes a layout worse, in terms of the length of seams in plain sight relative to the root
 /// of the mesh's area.
 struct SeamPrices {
-  double stretch = getenv("X_RHO") ? atof(getenv("X_RHO")) : 0.12;
-  double inexact = getenv("X_P") ? atof(getenv("X_P")) : 0.3;
+  double stretch = getenv("X_RHO") ? atof(getenv("X_RHO")) : 0.2;
+  double inexact = getenv("X_P") ? atof(getenv("X_P")) : 0.8;
   double chord = getenv("X_H") ? atof(getenv("X_H")) : 0.0;
-  double chart = getenv("X_G") ? atof(getenv("X_G")) : 0.1;  ///< of a chart more
+  double chart = getenv("X_G") ? atof(getenv("X_G")) : 0.03;  ///< of a chart more
 
   /// Of a chart's conformal stretch, if the chart were the whole mesh.
   double ofStretch(double s) const {

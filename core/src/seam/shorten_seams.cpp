@@ -166,12 +166,17 @@ class Shortener {
     keepLongest(progress_[c].most, choices);
   }
 
+  /// What it costs to stretch a chart more than now.
+  double priceOf(CutChartId c, double stretch) const {
+    const SeamPrices prices;
+    return (prices.ofStretch(stretch) - prices.ofStretch(prediction_.stretch[c])) *
+           std::sqrt(surface_.charts[c].area);
+  }
+
   /// Whether it is better not to have the first `count` edges of a tip.
   bool isWorth(CutChartId c, const SeamTip& tip, std::size_t count) const {
-    const SeamPrices prices;
-    const double all = mesh_.totalArea(), is = prediction_.stretch[c];
-    const double more = prices.ofStretch(is + progress_[c].model * tip.stretch[count - 1]) - prices.ofStretch(is);
-    return more * surface_.charts[c].area / all <= tip.length[count - 1] / std::sqrt(all);
+    const double stretch = prediction_.stretch[c] + progress_[c].model * tip.stretch[count - 1];
+    return priceOf(c, stretch) <= tip.length[count - 1];
   }
 
   /// Keeps only the `most` longest choices, after more of them did not work together.
@@ -193,15 +198,18 @@ class Shortener {
                                              const CutSurface& next, const Prediction& told,
                                              const LogScales& u) const {
     IdVector<CutChartId, std::uint8_t> isChanged(progress_.size(), 0), out(progress_.size(), 0);
+    IdVector<CutChartId, double> gain(progress_.size(), 0);
     for (const Choice& choice : choices) {
       const CutChartId c = choice.tip.chart;
       isChanged[c] = 1;
+      if (choice.count > 0) gain[c] += choice.tip.length[choice.count - 1];
       for (std::size_t i = 0; i < choice.count; ++i)
         if (told.shift(c, u[mesh_.vertexOfCorner[choice.tip.edges[i]]]) > kMostShift) out[c] = 1;
     }
     for (const CutChartId c : out.ids())
       if (isChanged[c] &&
-          (told.stretch[c] > work_.options.maxStretch || !next.charts[c].isDisk() ||
+          (told.stretch[c] > work_.options.maxStretch ||
+           priceOf(c, told.stretch[c]) > gain[c] || !next.charts[c].isDisk() ||
            overlapsMore(mesh_, {next, c, u}, {surface_, c, u_}, work_.options.mostOverlap)))
         out[c] = 1;
     return out;
