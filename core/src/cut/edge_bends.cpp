@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "base/disjoint_sets.h"
 #include "base/portable_math.h"
@@ -12,11 +11,12 @@ namespace abflat {
 namespace {
 
 /// How far to look on either side, relative to the root of a component's area.
-static double kWidth = getenv("X_W") ? atof(getenv("X_W")) : 0.015;
+constexpr double kWidth = 0.015;
 /// Bounds the work where triangles are tiny.
 constexpr int kMostTriangles = 64;
-/// What an edge may count for, in terms of the angle between its triangles.
-static double kTimesOwn = getenv("X_T") ? atof(getenv("X_T")) : 2, kOfNarrow = getenv("X_N") ? atof(getenv("X_N")) : 0.3;
+/// An edge counts for at most this many times the angle between its triangles, so that those beside
+/// a bevel do not count; and for a share of that angle if it is gone within the width.
+constexpr double kTimesOwn = 2, kOfNarrow = 0.3;
 
 /// For each triangle the root of its component's area.
 IdVector<SurfaceTriangle, double> sizes(const SeamMesh& mesh) {

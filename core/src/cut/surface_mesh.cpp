@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "base/few_bits.h"
@@ -94,17 +93,22 @@ bool isConcave(const SeamMesh& m, SurfaceCorner h) {
   return dot(edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[apex]), n) > 0;
 }
 
+/// From 0 to 1 where x goes from `low` to `high`, without a kink.
+double smoothStep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 /// Cost of a seam where the surface bends that much, relative to its length. Nothing hides a seam
-/// in a flat face; a crease does, a concave one a little better.
+/// in a flat face; a crease does, a concave one better.
 double costWhere(double bend, bool isConcave) {
-  constexpr double kFlat = 1e-3, kOfFlat = 1.5;
-  static double kSmooth = (getenv("X_LO") ? atof(getenv("X_LO")) : 10) * kPi / 180, kCrease = (getenv("X_HI") ? atof(getenv("X_HI")) : 75) * kPi / 180;
-  static double kOfConvex = getenv("X_C") ? atof(getenv("X_C")) : 0.25; double kOfConcave = kOfConvex * .8;
+  constexpr double kDegree = kPi / 180;
+  constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree, kSharp = 75 * kDegree;
+  constexpr double kOfFlat = 5, kOfBent = 0.6, kOfConvex = 0.25, kOfConcave = 0.2;
   if (bend < kFlat) return kOfFlat;
-  static double kMid = (getenv("X_MD") ? atof(getenv("X_MD")) : 35) * kPi / 180, kOfMid = getenv("X_MC") ? atof(getenv("X_MC")) : .6;
-  const auto step = [](double x) { x = std::clamp(x, 0.0, 1.0); return x * x * (3 - 2 * x); };
-  if (bend < kMid) return 1 - (1 - kOfMid) * step((bend - kSmooth) / (kMid - kSmooth));
-  return kOfMid - (kOfMid - (isConcave ? kOfConcave : kOfConvex)) * step((bend - kMid) / (kCrease - kMid));
+  if (bend < kBent) return 1 - (1 - kOfBent) * smoothStep(kSmooth, kBent, bend);
+  return kOfBent -
+         (kOfBent - (isConcave ? kOfConcave : kOfConvex)) * smoothStep(kBent, kSharp, bend);
 }
 
 void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent, const Pulse& pulse) {

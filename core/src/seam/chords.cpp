@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seam/seam_value.h"
-
 namespace abflat {
 namespace {
 
@@ -70,7 +68,6 @@ Chord ChordFinder::chordAt(SurfaceCorner h, CutChartId chart, double leastShare)
 Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs) {
   walk(chart);
   numberLoop(chart);
-  const double price = SeamPrices().chord * std::sqrt(surface_.charts[chart].area);
   Chord best;
   double bestScore = 0;
   for (std::size_t i = 1; i < order_.size(); ++i) {
@@ -78,7 +75,7 @@ Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryI
     Chord c = chordAt(h, chart, kNotableShare);
     if (!c.h.exists()) continue;
     const double smaller = std::min(c.left, c.right);
-    double score = (c.length + price) / std::sqrt(smaller);
+    double score = c.length / std::sqrt(smaller);
     if (best.h.exists() && score >= bestScore) continue;
     constexpr double kUnresolved = 3;  // a chord that resolves all pairs may be this much longer
     c.resolved = pairs.empty() ? 1 : resolvedShare(h, pairs);
@@ -95,13 +92,12 @@ Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryI
 Chord ChordFinder::bestApart(CutChartId chart,
                              const std::vector<std::array<BoundaryIndex, 2>>& pairs,
                              double leastShare) const {
-  const double price = SeamPrices().chord * std::sqrt(surface_.charts[chart].area);
   Chord best;
   double bestScore = 0;
   for (std::size_t i = 1; i < order_.size(); ++i) {
     Chord c = chordAt(parent_[order_[i]], chart, leastShare);
     if (!c.h.exists()) continue;
-    const double score = (c.length + price) / std::sqrt(std::min(c.left, c.right));
+    const double score = c.length / std::sqrt(std::min(c.left, c.right));
     if (best.h.exists() && score >= bestScore) continue;
     c.resolved = resolvedShare(c.h, pairs);
     if (!(c.resolved > 0) || (best.h.exists() && score / c.resolved >= bestScore)) continue;

@@ -6,43 +6,71 @@
 #include "base/constants.h"
 
 namespace abflat {
+namespace {
+
+/// Cost of a seam in a crease, relative to its length.
+constexpr double kMostCost = 0.6;
+/// Length of a component's creases, relative to the root of its area.
+constexpr double kLeastLength = 0.25;
+/// Share of a component's curvature that may be elsewhere. If more is, the patches between creases
+/// have to be cut in any case.
+constexpr double kMostElsewhere = 0.3;
+/// Patches of a component: this many, or a share of its triangles.
+constexpr std::size_t kFewPatches = 64, kTrianglesOfPatch = 3;
+
+/// What is known of a component.
+struct Component {
+  double length = 0;  ///< of its creases
+  double curvature = 0, elsewhere = 0;
+  std::size_t patches = 0;
+
+  bool isWorthIt(const CutSurface::Chart& whole) const {
+    return length > kLeastLength * std::sqrt(whole.area) &&
+           elsewhere <= kMostElsewhere * curvature &&
+           patches <= std::max(kFewPatches, whole.triangles / kTrianglesOfPatch);
+  }
+};
+
+Seams allCreases(const SeamMesh& mesh) {
+  Seams out(mesh.twin.size(), 0);
+  for (const SurfaceCorner h : mesh.corners())
+    out[h] = mesh.isOnSurface(h) && mesh.cost[h] < kMostCost * mesh.length[h];
+  return out;
+}
+
+IdVector<CutChartId, Component> measure(const SeamMesh& mesh, const CutSurface& whole,
+                                        const Seams& creases) {
+  IdVector<CutChartId, Component> out(whole.charts.size());
+  IdVector<SurfaceVertex, std::uint8_t> isOnCrease(mesh.vertexCount(), 0);
+  for (const SurfaceCorner h : creases.ids()) {
+    if (!creases[h]) continue;
+    isOnCrease[mesh.tail(h)] = 1;
+    out[whole.chartOf(h)].length += mesh.length[h] / 2;
+  }
+  for (const OpenVertex v : whole.vertices()) {
+    if (whole.isBoundary[v]) continue;
+    const SurfaceVertex i = whole.meshVertex[v];
+    const double curvature = std::abs(2 * kPi - mesh.angleSum[i]);
+    Component& component = out[whole.chartOf(v)];
+    component.curvature += curvature;
+    if (!isOnCrease[i]) component.elsewhere += curvature;
+  }
+  for (const CutSurface::Chart& patch : cutAlong(mesh, creases).charts)
+    ++out[whole.chartOfTriangle[patch.firstTriangle]].patches;
+  return out;
+}
+
+}  // namespace
 
 Seams creasesToBegin(const SeamMesh& mesh) {
-  constexpr double kCheap = 0.6;      // cost, relative to the length
-  constexpr double kNotable = 0.25;   // length, relative to the root of the component's area
-  constexpr std::size_t kFew = 64, kShare = 3;
+  Seams out = allCreases(mesh);
   const CutSurface whole = cutAlong(mesh, Seams(mesh.twin.size(), 0));
-  Seams out(mesh.twin.size(), 0);
-  IdVector<CutChartId, double> length(whole.charts.size(), 0);
-  for (const SurfaceCorner h : mesh.corners())
-    if (mesh.isOnSurface(h) && mesh.cost[h] < kCheap * mesh.length[h]) {
-      out[h] = 1;
-      length[whole.chartOf(h)] += mesh.length[h] / 2;
-    }
-  IdVector<SurfaceVertex, std::uint8_t> isOnCrease(mesh.vertexCount(), 0);
-  IdVector<CutChartId, double> inside(whole.charts.size(), 0), all(whole.charts.size(), 0);
-  for (const SurfaceCorner h : mesh.corners())
-    if (out[h]) isOnCrease[mesh.tail(h)] = 1;
-  for (const OpenVertex v : whole.vertices()) {
-    const SurfaceVertex i = whole.meshVertex[v];
-    const double curvature = whole.isBoundary[v] ? 0 : std::abs(2 * kPi - mesh.angleSum[i]);
-    all[whole.chartOf(v)] += curvature;
-    if (!isOnCrease[i]) inside[whole.chartOf(v)] += curvature;
-  }
-  static double kSh = getenv("X_S") ? atof(getenv("X_S")) : 0.3;
-  const CutSurface apart = cutAlong(mesh, out);
-  IdVector<CutChartId, std::size_t> patches(whole.charts.size(), 0);
-  for (const CutSurface::Chart& patch : apart.charts)
-    ++patches[whole.chartOfTriangle[patch.firstTriangle]];
+  const IdVector<CutChartId, Component> components = measure(mesh, whole, out);
   bool isAny = false;
   for (const SurfaceCorner h : out.ids()) {
-    if (!out[h]) continue;
     const CutChartId c = whole.chartOf(h);
-    const CutSurface::Chart& component = whole.charts[c];
-    const bool isUseful = length[c] > kNotable * std::sqrt(component.area) &&
-                          inside[c] <= kSh * all[c] && patches[c] <= std::max(kFew, component.triangles / kShare);
-    out[h] = isUseful;
-    isAny = isAny || isUseful;
+    out[h] = out[h] && components[c].isWorthIt(whole.charts[c]);
+    isAny = isAny || out[h];
   }
   return isAny ? out : Seams();
 }

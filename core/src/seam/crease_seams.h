@@ -1,10 +1,11 @@
 #pragma once
 
-#include "seam/find_seams.h"
+#include "cut/cut_surface.h"
 
 namespace abflat {
 
-/// Edges along which a surface may be taken apart to begin with; empty if it has hardly any.
+/// The creases of components that may be taken apart along them to begin with; empty if there are
+/// none.
 Seams creasesToBegin(const SeamMesh& mesh);
 
 }  // namespace abflat

@@ -31,8 +31,7 @@ struct SharedRun {
   CutChartId a, b;                   ///< a < b
   std::vector<SurfaceCorner> edges;  ///< half-edges of a, in order
   BoundaryIndex begin;               ///< index of the first edge in the loop of a
-  double length = 0;
-  double cost = 0;
+  double length = 0, cost = 0;
 };
 
 /// What would be joined, on a surface of its own, or on the whole surface if that is mostly what is
@@ -41,7 +40,7 @@ struct Trial {
   std::unique_ptr<SeamPart> part;  ///< null: the whole
   CutSurface joined, apart;
   LogScales u;  ///< of the joined surface
-  Prediction prediction, before;
+  Prediction prediction, before;  ///< joined, apart
 
   /// The half-edge of the trial that corresponds to one of the whole.
   SurfaceCorner inTrial(SurfaceCorner h) const {
@@ -263,7 +262,7 @@ class Merger {
 
   const SeamMesh& meshOf(const Trial& trial) const { return trial.part ? trial.part->mesh : mesh_; }
 
-  /// Whether what is gained by joining along a run is worth the stretch.
+  /// Whether joining charts along a run is worth what it stretches them.
   bool isWorth(const Trial& trial, SurfaceCorner h, const SharedRun& run) const {
     const SeamPrices prices;
     const CutChartId whole = trial.joined.chartOf(h);
@@ -271,12 +270,13 @@ class Merger {
     const auto costOf = [&](const CutSurface& s, const Prediction& told, CutChartId c) {
       return prices.ofStretch(told.stretch[c]) * s.charts[c].area / all;
     };
+    // A short piece of a crease is no reason to leave two charts hanging together.
+    constexpr double kHardlyHidden = 0.5;
+    if (isHinge_ && run.cost < kHardlyHidden * run.length) return false;
     double more = costOf(trial.joined, trial.prediction, whole);
     for (const SurfaceCorner side : {h, meshOf(trial).twin[h]})
       more -= costOf(trial.apart, trial.before, trial.apart.chartOf(side));
-    static double kHg = getenv("X_HG") ? atof(getenv("X_HG")) : 0.5;
-    if (isHinge_ && run.cost < kHg * run.length) return false;
-    return run.cost / std::sqrt(all) + prices.chart >= more;
+    return more <= run.cost / std::sqrt(all) + prices.chart;
   }
 
   /// `h`: one of the opened half-edges.

@@ -40,12 +40,14 @@ std::vector<PlanePoint> pointsBetween(const FlatLoop& loop, const std::vector<Bo
 
 }  // namespace
 
-PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit)
+PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit,
+                           double mostCost)
     : flat_(flat),
       unit_(std::sqrt(mesh.totalArea() * flat.unitArea)),
       fit_(fit),
       cutter_(mesh, flat.surface, flat.at),
       charts_(static_cast<int>(cutter_.pieces().size())),
+      mostCost_(mostCost),
       size_(std::sqrt(mesh.totalArea())) {
   for (const CutChartId chart : flat.surface.charts.ids()) {
     const PieceId piece = addPiece();
@@ -96,7 +98,7 @@ void PieceFitting::cutAcross(const LongChart& chart, int parts) {
     // As far as the cut is long, so that it can go straight across.
     const double reach = distance(flat_.at[*from], flat_.at[*to]);
     const BoundaryIndex first(from - loop.begin()), last(to - loop.begin());
-    if (!cutter_.split(chart.piece, first, last, reach)) continue;
+    if (!cutter_.split(chart.piece, first, last, reach, HUGE_VAL)) continue;
     const PieceId added = addPiece();
     shapes_[added].density = shapes_[chart.piece].density;
     takeShape(added);
@@ -247,7 +249,7 @@ bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, 
 bool PieceFitting::cut(const Candidate& c) {
   const Shape& shape = shapes_[c.piece];
   const BoundaryIndex from = shape.ends[c.chord.from], to = shape.ends[c.chord.to];
-  if (!cutter_.split(c.piece, from, to, shape.reach)) return false;
+  if (!cutter_.split(c.piece, from, to, shape.reach, mostCost_)) return false;
   const PieceId added = addPiece();
   shapes_[added].density = shapes_[c.piece].density;
   takeShape(c.piece);

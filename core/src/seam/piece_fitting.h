@@ -30,7 +30,8 @@ struct LongChart {
 /// Cuts charts until they fit into a square.
 class PieceFitting {
  public:
-  PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit);
+  /// `mostCost`: the most that a cut may cost for its length, except across long charts.
+  PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit, double mostCost);
   PieceFitting(const PieceFitting& other);  // out of line: there is much to copy
   ~PieceFitting();
 
@@ -53,9 +54,9 @@ class PieceFitting {
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
   /// Length of the cuts, divided by the root of the surface area.
   double length() const { return cutter_.length() / size_; }
-  double cost() const { return costOf(count(), length()); }
-  /// A cut costs its length plus a fixed amount: two charts are harder to paint on.
-  static double costOf(int count, double length) { return length + kCostOfCut * count; }
+  double cost() const { return costOf(count(), cutter_.cost() / size_); }
+  /// A cut costs what its seam does plus a fixed amount: two charts are harder to paint on.
+  static double costOf(int count, double seams) { return seams + kCostOfCut * count; }
 
  private:
   using Placed = IdVector<PieceId, std::uint8_t>;
@@ -99,6 +100,7 @@ class PieceFitting {
   PieceCutter cutter_;
   IdVector<PieceId, Shape> shapes_;
   int charts_ = 0;
+  double mostCost_;
   double size_ = 1;
 };
 

@@ -78,7 +78,7 @@ class Regions {
   /// Regions whose Euler characteristic, 2 less the number of boundary loops, tells of several
   /// holes.
   std::vector<std::uint8_t> plates() const {
-    constexpr int kMostOfOthers = -2;  // that of a disk with three holes
+    constexpr int kMostOfOthers = 0;  // that of a disk with a hole
     std::vector<int> euler(count_, 0);
     for (const RegionId region : ofTriangle_)
       if (region.exists()) ++euler[region];

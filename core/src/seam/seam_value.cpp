@@ -7,10 +7,17 @@
 
 namespace abflat {
 
+double SeamPrices::ofStretch(double s) const {
+  constexpr double kInexact = 0.002;
+  const double x = std::max(0.0, s - 1);
+  return stretch * x + inexact * std::min(1.0, std::sqrt(x / kInexact));
+}
+
 IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seams,
                                          const LogScales& u, double maxStretch,
                                          const IdVector<SurfaceTriangle, CutChartId>& partOf,
-                                         std::size_t parts, const SeamPrices& prices) {
+                                         std::size_t parts) {
+  const SeamPrices prices;
   constexpr double kBeyondBound = 10;  // times as bad
   IdVector<CutChartId, double> out(parts, 0);
   IdVector<CutChartId, double> area(parts, 0);

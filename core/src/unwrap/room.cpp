@@ -20,17 +20,20 @@ namespace {
 struct RoomWish {
   double seamWorth = 0;    ///< cost, in that logarithm, of seams as long as the root of the area
   double utilization = 0;  ///< more than this counts no more
+  double mostCost = HUGE_VAL;  ///< of a cut, for its length
 };
 
 /// What packing hardly ever exceeds.
 constexpr double kMostUtilization = 0.92;
 
 RoomWish wishOf(const UnwrapOptionValues& options) {
-  constexpr double kSeamWorth = 0.04;
-  if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMostUtilization};
+  constexpr double kSeamWorth = 0.06;
+  // What lies well is not cut where that would be in plain sight.
+  constexpr double kAlongFeatures = 0.5;
+  if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMostUtilization, kAlongFeatures};
   // A fit on few cells predicts a little more or less than packing achieves.
   constexpr double kBarely = 0.005, kMore = 1.02, kMostAsked = 0.96;
-  return {kBarely, std::min(kMore * options.minUtilization, kMostAsked)};
+  return {kBarely, std::min(kMore * options.minUtilization, kMostAsked), HUGE_VAL};
 }
 
 /// `part`: the surface in the order in which cuts are sought.
@@ -203,7 +206,7 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   const FlatSurface surface = flatSurface(packed, open, part);
   const auto fittingOn = [&](int cells) {
     const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
-    return std::make_unique<PieceFitting>(part.mesh, surface, fit);
+    return std::make_unique<PieceFitting>(part.mesh, surface, fit, wish.mostCost);
   };
   auto uncut = fittingOn(kCells);
   const std::vector<LongChart> longCharts = uncut->longCharts();
@@ -236,11 +239,11 @@ void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isA
     if (isBack[s.chartOf(h)]) open.seams[h] = seams[h];
 }
 
-bool isWorth(const AtlasReport& atlas, const UnwrapOptionValues& options) {
+bool isWorth(const AtlasReport& atlas, double seamCost, const UnwrapOptionValues& options) {
   const double ratio = atlas.texelDensity / atlas.uncutTexelDensity;
   return ratio > 1 &&
          portable::log(ratio) > wishOf(options).seamWorth *
-                                    PieceFitting::costOf(atlas.packingCuts, atlas.packingCutLength);
+                                    PieceFitting::costOf(atlas.packingCuts, seamCost);
 }
 
 }  // namespace abflat

@@ -16,6 +16,7 @@
 #include "seam/log_scale.h"
 #include "seam/plates.h"
 #include "seam/prediction.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 namespace {
@@ -205,10 +206,11 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   OpenSurface other =
       openWith(uncut, {seams, asked.scales, asked.fixed}, options, pool, keepsOn, report);
   if (report.cancelled) found.cancelled = true;
-  constexpr double kLittleLonger = 1.25;
-  if (report.cancelled || report.charts >= found.charts ||
-      seamLength(other) > kLittleLonger * seamLength(open))
-    return;
+  const auto costOf = [](const OpenSurface& x, const SeamReport& told) {
+    const SeamPrices prices;
+    return seamCost(x) + prices.chart * told.charts + prices.ofStretch(told.stretch);
+  };
+  if (report.cancelled || !(costOf(other, report) < costOf(open, found))) return;
   open = std::move(other);
   found = std::move(report);
 }
@@ -355,6 +357,15 @@ void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& su
   summary.edges /= 2;
   const double size = std::sqrt(open.mesh.totalArea());
   summary.relativeLength = size > 0 ? length / size : 0;
+}
+
+double seamCost(const OpenSurface& open) {
+  const double size = std::sqrt(open.mesh.totalArea());
+  double sum = 0;
+  const Seams visible = visibleSeams(open);
+  for (const SurfaceCorner h : visible.ids())
+    if (visible[h]) sum += open.mesh.cost[h] / 2;
+  return size > 0 ? sum / size : 0;
 }
 
 double seamLength(const OpenSurface& open) {

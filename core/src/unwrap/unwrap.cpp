@@ -326,7 +326,7 @@ class Unwrapping {
     if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
     open_.seams.resize(open_.mesh.twin.size(), 0);
     Seams seams = open_.seams;
-    const double length = seamLength(open_);
+    const double length = seamLength(open_), cost = seamCost(open_);
     addCuts(cuts, options_, open_);
     PackedState before{openAnew(), std::move(seams), std::move(packing_), report_.atlas};
     // Where they lie, their new ends need not be straight.
@@ -338,7 +338,7 @@ class Unwrapping {
     report_.atlas.uncutTexelDensity = before.atlas.texelDensity;
     Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
-    if (packed.ok() && isWorth(report_.atlas, options_)) return {};
+    if (packed.ok() && isWorth(report_.atlas, seamCost(open_) - cost, options_)) return {};
     return restore(before);
   }
 
