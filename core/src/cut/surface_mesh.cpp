@@ -103,7 +103,8 @@ double smoothStep(double low, double high, double x) {
 /// in a flat face; a crease does, a concave one better.
 double costWhere(double bend, bool isConcave) {
   constexpr double kDegree = kPi / 180;
-  constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree, kSharp = 75 * kDegree;
+  constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree,
+                   kSharp = 75 * kDegree;
   constexpr double kOfFlat = 5, kOfBent = 0.6, kOfConvex = 0.25, kOfConcave = 0.2;
   if (bend < kFlat) return kOfFlat;
   if (bend < kBent) return 1 - (1 - kOfBent) * smoothStep(kSmooth, kBent, bend);

@@ -105,8 +105,7 @@ class CreaseFinder {
     options.first = part.ofCorners(creases_);
     options.eliminationRanks = part.ofVertices(report.eliminationRanks);
     SeamReport own;
-    const Seams found =
-        findInRounds(part.mesh, Seams(part.mesh.twin.size(), 0), options, own);
+    const Seams found = findInRounds(part.mesh, Seams(part.mesh.twin.size(), 0), options, own);
     report.cancelled = report.cancelled || own.cancelled;
     if (!report.cancelled) takeCheaper(part, found, own, seams, report);
   }

@@ -39,7 +39,7 @@ struct SharedRun {
 struct Trial {
   std::unique_ptr<SeamPart> part;  ///< null: the whole
   CutSurface joined, apart;
-  LogScales u;  ///< of the joined surface
+  LogScales u;                    ///< of the joined surface
   Prediction prediction, before;  ///< joined, apart
 
   /// The half-edge of the trial that corresponds to one of the whole.

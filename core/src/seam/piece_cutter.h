@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "cut/cut_surface.h"
@@ -32,7 +33,8 @@ class PieceCutter {
   /// Cuts from near one point of the loop to near another, at most `reach` away from each. What is
   /// on the right of the cut becomes a new piece, the last one. False if there is no path, or if it
   /// costs more than `mostCost` for its length.
-  bool split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach, double mostCost);
+  bool split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach,
+             double mostCost = HUGE_VAL);
 
  private:
   using Loop = IdVector<BoundaryIndex, OpenVertex>;

@@ -98,7 +98,7 @@ void PieceFitting::cutAcross(const LongChart& chart, int parts) {
     // As far as the cut is long, so that it can go straight across.
     const double reach = distance(flat_.at[*from], flat_.at[*to]);
     const BoundaryIndex first(from - loop.begin()), last(to - loop.begin());
-    if (!cutter_.split(chart.piece, first, last, reach, HUGE_VAL)) continue;
+    if (!cutter_.split(chart.piece, first, last, reach)) continue;
     const PieceId added = addPiece();
     shapes_[added].density = shapes_[chart.piece].density;
     takeShape(added);

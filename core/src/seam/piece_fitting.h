@@ -31,7 +31,8 @@ struct LongChart {
 class PieceFitting {
  public:
   /// `mostCost`: the most that a cut may cost for its length, except across long charts.
-  PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit, double mostCost);
+  PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit,
+               double mostCost = HUGE_VAL);
   PieceFitting(const PieceFitting& other);  // out of line: there is much to copy
   ~PieceFitting();
 

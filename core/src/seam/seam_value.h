@@ -7,9 +7,10 @@ namespace abflat {
 /// What makes seams bad, in terms of the length of a seam in plain sight. Lengths are relative to
 /// the root of the area.
 struct SeamPrices {
-  double chart = 0.03;   ///< of a chart more
-  double stretch = 5;    ///< of the conformal stretch of a chart, for what it exceeds 1 by
-  double inexact = 0.8;  ///< of a chart that is not exact, so that nearly free seams are taken for it
+  double chart = 0.03;  ///< of a chart more
+  double stretch = 5;   ///< of the conformal stretch of a chart, for what it exceeds 1 by
+  double inexact =
+      0.8;  ///< of a chart that is not exact, so that nearly free seams are taken for it
   double ofStretch(double stretch) const;
 };
 

@@ -1,8 +1,8 @@
 #include "seam/shorten_seams.h"
 
 #include <algorithm>
-#include <limits>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/stable_order.h"
@@ -208,8 +208,8 @@ class Shortener {
     }
     for (const CutChartId c : out.ids())
       if (isChanged[c] &&
-          (told.stretch[c] > work_.options.maxStretch ||
-           priceOf(c, told.stretch[c]) > gain[c] || !next.charts[c].isDisk() ||
+          (told.stretch[c] > work_.options.maxStretch || priceOf(c, told.stretch[c]) > gain[c] ||
+           !next.charts[c].isDisk() ||
            overlapsMore(mesh_, {next, c, u}, {surface_, c, u_}, work_.options.mostOverlap)))
         out[c] = 1;
     return out;

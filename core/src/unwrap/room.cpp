@@ -30,7 +30,8 @@ RoomWish wishOf(const UnwrapOptionValues& options) {
   constexpr double kSeamWorth = 0.06;
   // What lies well is not cut where that would be in plain sight.
   constexpr double kAlongFeatures = 0.5;
-  if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMostUtilization, kAlongFeatures};
+  if (options.minUtilization == kAutoMinUtilization)
+    return {kSeamWorth, kMostUtilization, kAlongFeatures};
   // A fit on few cells predicts a little more or less than packing achieves.
   constexpr double kBarely = 0.005, kMore = 1.02, kMostAsked = 0.96;
   return {kBarely, std::min(kMore * options.minUtilization, kMostAsked), HUGE_VAL};
@@ -241,9 +242,8 @@ void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isA
 
 bool isWorth(const AtlasReport& atlas, double seamCost, const UnwrapOptionValues& options) {
   const double ratio = atlas.texelDensity / atlas.uncutTexelDensity;
-  return ratio > 1 &&
-         portable::log(ratio) > wishOf(options).seamWorth *
-                                    PieceFitting::costOf(atlas.packingCuts, seamCost);
+  return ratio > 1 && portable::log(ratio) > wishOf(options).seamWorth *
+                                                 PieceFitting::costOf(atlas.packingCuts, seamCost);
 }
 
 }  // namespace abflat
