@@ -6,6 +6,7 @@
 #include "seam/occlusion.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
+#include "seam/symmetric_seams.h"
 
 namespace abflat {
 namespace {
@@ -24,6 +25,7 @@ class SeamFairer {
       : work_(work), mesh_(work.mesh), u_(work.u), seams_(work.seams), cost_(mesh_.cost) {
     constexpr float kWidth = 0.17f;
     for (const std::uint8_t isKept : work.kept) width_.push_back(isKept ? 0 : kWidth);
+    if (work.options.mirror) keepToOneSide();
     constexpr double kDiscount = 0.6;
     const IdVector<SurfaceTriangle, double> hidden = occlusion(mesh_, pulse_);
     for (const SurfaceCorner h : cost_.ids()) {
@@ -41,7 +43,8 @@ class SeamFairer {
     const Prediction was = predictStretch(mesh_, before, u_);
     for (int left = kRounds; left > 0 && pulse_.beat(); --left) {
       Seams now = seams_;
-      if (!fairPaths(mesh_, cost_, width_, now, pulse_)) return false;
+      if (!fairPaths(mesh_, cost_, {width_, isBarred_}, now, pulse_)) return false;
+      if (const Mirror& mirror = work_.options.mirror) now = mirrored(mesh_, mirror, now, 1);
       const CutSurface after = cutAlong(mesh_, now, pulse_);
       LogScales u = work_.scale.solve(after, {});
       if (u.empty() || after.charts.size() != before.charts.size()) return false;
@@ -59,6 +62,17 @@ class SeamFairer {
   }
 
  private:
+  /// Seams are redrawn on one side of the plane only, and mirrored. What has no image moves freely.
+  void keepToOneSide() {
+    const Mirror& mirror = work_.options.mirror;
+    isBarred_.assign(mesh_.vertexCount(), 0);
+    for (const SurfaceCorner h : mesh_.corners()) {
+      if (!mirror.hasImage(h)) continue;
+      if (mirror.sideOf(mesh_, h) != 1) width_[h] = 0;
+      if (mirror.side[mesh_.tail(h)] < 0) isBarred_[mesh_.tail(h)] = 1;
+    }
+  }
+
   Faults faultsOf(const CutSurface& before, const Prediction& was, const CutSurface& after,
                   const Prediction& told, const LogScales& u) const {
     Faults out;
@@ -108,6 +122,7 @@ class SeamFairer {
   Seams& seams_;
   IdVector<SurfaceCorner, double> cost_;  ///< see fairPaths()
   IdVector<SurfaceCorner, float> width_;
+  IdVector<SurfaceVertex, std::uint8_t> isBarred_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "seam/extract_charts.h"
 #include "seam/fair_seams.h"
 #include "seam/log_scale.h"
+#include "seam/make_symmetric.h"
 #include "seam/merge_charts.h"
 #include "seam/prediction.h"
 #include "seam/shorten_seams.h"
@@ -260,10 +261,13 @@ Seams Finder::run() {
   const SeamWork work{whole_, given_, options_, *scale_, u_, result_};
   // Slits and splits are added one by one where needed; together they may be more than needed.
   if (options_.isAuto && goesOn()) report_.merges = mergeCharts(work);
-  const bool isSolved = options_.isAuto && goesOn() && fairSeams(work);
+  if (options_.isAuto) makeSymmetric(work);
+  const bool isFair = options_.isAuto && goesOn() && fairSeams(work);
+  const bool isSolved = isFair && !makeSymmetric(work);
   report_.found = result_;
   report_.foundScale = u_;
   if (options_.isAuto && goesOn()) shortenSeams(work, isSolved);
+  if (options_.isAuto) makeSymmetric(work);
   report_.mergeSeconds = watch.lap();
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   report_.stretch = predictStretch(whole_, s, u_).total;

@@ -30,7 +30,7 @@ double costOf(const SeamMesh& mesh, const Seams& seams) {
   return sum;
 }
 
-/// For a mesh without cuts so far, finds seams on only one side of its plane of symmetry.
+/// For a mesh without cuts so far, finds seams that are symmetric to its plane of symmetry.
 class SymmetricFinder {
  public:
   SymmetricFinder(const SeamMesh& mesh, const SeamOptions& options)
@@ -38,42 +38,88 @@ class SymmetricFinder {
 
   /// Replaces `seams`, which `report` describes, by symmetric ones if those are preferable.
   void run(Seams& seams, SeamReport& report) const {
-    const double cost = costOf(mesh_, seams);
-    if (options_.symmetricSeams == SymmetricSeams::Never || cost == 0) return;
+    if (options_.symmetricSeams == SymmetricSeams::Never || costOf(mesh_, seams) == 0) return;
     const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
     if (!mirror) report.asymmetry = Asymmetry::NoPlane;
     if (!mirror || mirroredShare(mesh_, mirror, seams) > kSymmetric) return;
-    const std::optional<SeamPart> half = halfOf(mesh_, mirror, options_.fillHoles);
-    if (!half) report.asymmetry = Asymmetry::PlaneCutsFace;
-    if (!half) return;
-    const double plane = costOf(mesh_, unfold(mesh_, mirror, *half, {}));
-    if (isTooMuch(plane, cost * kMostOfPlane)) return;
-    const Seams found = seamsOfHalf(*half, report.eliminationRanks);
-    const double least = 2 * costOf(half->mesh, found) + kLeastOfPlane * plane;
-    if (isTooMuch(least, cost)) return;
-    SeamOptions options = options_;
-    options.eliminationRanks = report.eliminationRanks;
-    options.first = unfold(mesh_, mirror, *half, found);
-    SeamReport own;
-    Seams symmetric = findInRounds(mesh_, Seams(mesh_.twin.size(), 0), options, own);
-    if (own.cancelled) report.cancelled = true;
-    if (own.cancelled || isTooMuch(own.charts, report.charts) ||
-        isTooMuch(costOf(mesh_, symmetric), cost))
+    const double before = priceOf(seams, report);
+    std::optional<Found> best;
+    for (const Beginning beginning : {Beginning::OneSide, Beginning::OtherSide, Beginning::Half}) {
+      if (best && best->price <= before) break;
+      const std::optional<Seams> first = begin(beginning, mirror, costOf(mesh_, seams), report);
+      if (!first) continue;
+      Found now = findFrom(*first, mirror, report);
+      if (now.report.cancelled) report.cancelled = true;
+      if (report.cancelled) return;
+      if (mirroredShare(mesh_, mirror, now.seams) < kSymmetric) continue;
+      if (!best || now.price < best->price) best = std::move(now);
+    }
+    if (!best) report.asymmetry = Asymmetry::NoSeams;
+    if (!best || isTooMuch(best->price, kDearer * before) ||
+        isTooMuch(best->report.charts, report.charts + kMoreCharts))
       return;
-    seams = std::move(symmetric);
-    report = std::move(own);
+    seams = std::move(best->seams);
+    report = std::move(best->report);
+    report.mirror = mirror;
   }
 
  private:
-  /// Seams with a larger mirrored share stay as they are: only few edges would change.
-  static constexpr double kSymmetric = 0.9;
-  /// Found by measurement, for the seams in the plane: if they cost more than kMostOfPlane of all
-  /// seams, or if kLeastOfPlane of them plus the seams beside the plane cost more than all seams,
-  /// the result comes out longer.
-  static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
+  /// Mirrored share of seams that are symmetric but for a few edges.
+  static constexpr double kSymmetric = 0.95;
+  /// How much more symmetric seams may cost, and how many charts more there may be.
+  static constexpr double kDearer = 1.1;
+  static constexpr std::uint32_t kMoreCharts = 1;
+
+  /// Seams to begin with, besides those in the plane: those found before, with one side replaced
+  /// by the image of the other one, or those of one side if it is a surface of its own.
+  enum class Beginning : std::uint8_t { OneSide, OtherSide, Half };
+
+  struct Found {
+    Seams seams;
+    SeamReport report;
+    double price = 0;
+  };
 
   bool isTooMuch(double now, double most) const {
     return options_.symmetricSeams == SymmetricSeams::Auto && now > most;
+  }
+
+  /// None if there are none, or if they will cost too much.
+  std::optional<Seams> begin(Beginning beginning, const Mirror& mirror, double cost,
+                             const SeamReport& report) const {
+    const std::optional<Seams> plane = planeSeams(mesh_, mirror);
+    if (beginning == Beginning::Half) {
+      const std::optional<SeamPart> half = halfOf(mesh_, mirror, options_.fillHoles);
+      if (!plane || !half) return {};
+      const Seams found = seamsOfHalf(*half, report.eliminationRanks);
+      // By measurement, the result costs more than this.
+      constexpr double kLeastOfPlane = 0.6;
+      const double least = 2 * costOf(half->mesh, found) + kLeastOfPlane * costOf(mesh_, *plane);
+      if (isTooMuch(least, kDearer * cost)) return {};
+      return unfold(mesh_, mirror, *half, found);
+    }
+    const int from = beginning == Beginning::OneSide ? 1 : -1;
+    Seams out = mirrored(mesh_, mirror, report.found, from);
+    // A seam beside the plane and its image are joined to one in the plane.
+    if (plane)
+      for (const SurfaceCorner h : out.ids()) out[h] = out[h] || (*plane)[h];
+    return mirrored(mesh_, mirror, out, 1);
+  }
+
+  Found findFrom(const Seams& first, const Mirror& mirror, const SeamReport& before) const {
+    SeamOptions options = options_;
+    options.eliminationRanks = before.eliminationRanks;
+    options.first = first;
+    options.mirror = mirror;
+    Found out;
+    out.seams = findInRounds(mesh_, Seams(mesh_.twin.size(), 0), options, out.report);
+    out.price = priceOf(out.seams, out.report);
+    return out;
+  }
+
+  double priceOf(const Seams& seams, const SeamReport& report) const {
+    const IdVector<SurfaceTriangle, CutChartId> all(mesh_.triangleCount(), CutChartId(0));
+    return costOfParts(mesh_, seams, report.scale, options_.maxStretch, all, 1).front();
   }
 
   Seams seamsOfHalf(const SeamPart& half, const EliminationRanks& ranks) const {
@@ -176,6 +222,7 @@ SeamReport inWhole(const SeamPart& part, SeamReport report) {
   report.eliminationRanks = part.toWhole(report.eliminationRanks);
   report.scale = part.toWhole(report.scale);
   report.foundScale = part.toWhole(report.foundScale);
+  report.mirror = report.mirror.ofWhole(part);
   return report;
 }
 
@@ -193,6 +240,7 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
   SeamOptions own = options;
   own.first = part.ofCorners(options.first);
   own.eliminationRanks = part.ofVertices(options.eliminationRanks);
+  own.mirror = options.mirror.ofPart(part);
   SeamReport found;
   const Seams seams = findInOrder(part.mesh, part.ofCorners(given), own, found);
   if (report) {

@@ -34,6 +34,13 @@ struct SharedRun {
   double length = 0, cost = 0;
 };
 
+/// What is joined together or not at all: a run, and its image if it has another one.
+using RunsTogether = std::vector<SharedRun>;
+
+/// For charts that are joined with their own images, across the plane of symmetry: nothing else
+/// takes away the seam there, which is in plain sight.
+constexpr double kMostRoomOfImages = 1.25, kOfBoundForImages = 1;
+
 /// What would be joined, on a surface of its own, or on the whole surface if that is mostly what is
 /// joined.
 struct Trial {
@@ -76,7 +83,7 @@ class Merger {
     std::uint32_t done = 0;
     while (work_.goesOn()) {
       CutSurface apart = cutAlong(mesh_, seams_, pulse_);
-      const std::vector<SharedRun> runs = matching(apart);
+      const std::vector<RunsTogether> runs = matching(apart);
       if (runs.empty()) break;
       const std::uint32_t now = joinWherePossible(runs, std::move(apart));
       if (now == 0 && !isHinge_) break;  // the other runs are shorter
@@ -93,7 +100,10 @@ class Merger {
     std::vector<SharedRun> out;
     for (const SharedRun& run : runs) {
       const double width = kWidth * std::sqrt(std::min(s.charts[run.a].area, s.charts[run.b].area));
-      const int slots = static_cast<int>(std::min<double>(kMost, run.length / width));
+      // What is its own image can only be joined in its middle.
+      const bool isAroundPlane = isOwnImage(run) && !isInPlane(run);
+      const int slots =
+          isAroundPlane ? 1 : static_cast<int>(std::min<double>(kMost, run.length / width));
       for (int k = 0; k < slots; ++k) {
         const int slot = slots / 2 + (k % 2 == 1 ? (k + 1) / 2 : -k / 2);
         const double middle = run.length * (slot + 0.5) / slots;
@@ -105,20 +115,23 @@ class Merger {
     return out;
   }
 
-  /// The edges of the run that begin between two distances along it.
+  /// The edges of the run whose middles are between two distances along it.
   SharedRun partOf(const SharedRun& run, double from, double to) const {
     SharedRun out{run.a, run.b, {}, run.begin, 0, 0};
     double passed = 0;
     for (const SurfaceCorner h : run.edges) {
-      if (passed < from) ++out.begin;
-      if (passed >= from && passed < to) {
-        out.edges.push_back(h);
-        out.length += mesh_.length[h];
-        out.cost += mesh_.cost[h];
-      }
+      const double middle = passed + mesh_.length[h] / 2;
+      if (middle < from) ++out.begin;
+      if (middle >= from && middle < to) add(h, out);
       passed += mesh_.length[h];
     }
     return out;
+  }
+
+  void add(SurfaceCorner h, SharedRun& run) const {
+    run.edges.push_back(h);
+    run.length += mesh_.length[h];
+    run.cost += mesh_.cost[h];
   }
 
   /// The chart on the other side of an edge, if the seam there may be removed.
@@ -142,9 +155,7 @@ class Merger {
       last = other;
       if (!other.exists() || other <= chart || !s.charts[other].isDisk()) continue;
       if (isNew) out.push_back({chart, other, {}, at, 0, 0});
-      out.back().edges.push_back(h);
-      out.back().length += mesh_.length[h];
-      out.back().cost += mesh_.cost[h];
+      add(h, out.back());
     }
   }
 
@@ -165,7 +176,7 @@ class Merger {
   bool isPromising(const CutSurface& s, const ChartOutlines& outlines, const SharedRun& run) const {
     const OutlinePairs pairs = pairsOf(s, outlines, run);
     const Outline &a = outlines[run.a], &b = outlines[run.b];
-    if (!isHinge_) return roomTogether(a, b, pairs) <= kMostRoom;
+    if (!isHinge_) return roomTogether(a, b, pairs) <= mostRoom(run);
     // Joining along a part of a seam changes so little that the union is as good as known.
     const Outline both = outlineTogether(a, b, pairs);
     if (both.empty()) return false;
@@ -192,8 +203,70 @@ class Merger {
                        [&](SurfaceCorner h) { return isRefused_[h]; });
   }
 
-  /// The longest promising runs, no two of which share a chart.
-  std::vector<SharedRun> matching(const CutSurface& s) {
+  bool hasImage(const SharedRun& run) const {
+    const Mirror& mirror = options_.mirror;
+    return mirror && std::all_of(run.edges.begin(), run.edges.end(),
+                                 [&](SurfaceCorner h) { return mirror.hasImage(h); });
+  }
+
+  bool isOn(const SharedRun& run, SurfaceCorner edge) const {
+    return std::any_of(run.edges.begin(), run.edges.end(),
+                       [&](SurfaceCorner h) { return edge == h || edge == mesh_.twin[h]; });
+  }
+
+  bool isOwnImage(const SharedRun& run) const {
+    return hasImage(run) && std::all_of(run.edges.begin(), run.edges.end(), [&](SurfaceCorner h) {
+             bool isInside = true;
+             options_.mirror.forEachImage(
+                 h, [&](SurfaceCorner i) { isInside = isInside && isOn(run, i); });
+             return isInside;
+           });
+  }
+
+  /// Whether the run lies in the plane of symmetry, so that it is between a chart and its image.
+  bool isInPlane(const SharedRun& run) const {
+    return hasImage(run) && std::all_of(run.edges.begin(), run.edges.end(), [&](SurfaceCorner h) {
+             const SurfaceCorner image = options_.mirror.image[h];
+             return image == h || image == mesh_.twin[h];
+           });
+  }
+
+  /// The run and its image, if that is another one. None if they cannot be joined together. What
+  /// has no image is joined alone.
+  RunsTogether withImage(const CutSurface& s, const SharedRun& run) const {
+    if (!hasImage(run) || isOwnImage(run)) return {run};
+    // With the image of a on the left; the mirror turns its outline around.
+    std::vector<SurfaceCorner> edges;
+    for (const SurfaceCorner h : run.edges)
+      options_.mirror.forEachImage(h, [&](SurfaceCorner i) { edges.push_back(mesh_.twin[i]); });
+    std::reverse(edges.begin(), edges.end());
+    CutChartId a = s.chartOf(edges.front()), b = s.chartOf(mesh_.twin[edges.front()]);
+    if (a > b) {
+      std::swap(a, b);
+      std::reverse(edges.begin(), edges.end());
+      for (SurfaceCorner& h : edges) h = mesh_.twin[h];
+    }
+    // Joined along both runs, two charts would be a ring.
+    if (a == b || !s.charts[a].isDisk() || !s.charts[b].isDisk() || (a == run.a && b == run.b))
+      return {};
+    SharedRun image{a, b, {}, BoundaryIndex(0), 0, 0};
+    for (const SurfaceCorner h : edges) {
+      if (!seams_[h] || s.chartOf(h) != a || behind(s, h) != b) return {};
+      add(h, image);
+    }
+    const BoundaryLoop loop = s.outline(a);
+    const auto first = std::find(loop.begin(), loop.end(), edges.front());
+    image.begin = BoundaryIndex(first - loop.begin());
+    return {run, std::move(image)};
+  }
+
+  double mostRoom(const SharedRun& run) const {
+    if (isInPlane(run)) return kMostRoomOfImages;
+    return isHinge_ ? kMostRoomOfHinged : kMostRoom;
+  }
+
+  /// The longest promising runs, no two of which share a chart, with their images.
+  std::vector<RunsTogether> matching(const CutSurface& s) {
     std::vector<SharedRun> runs;
     ChartOutlines outlines(s.charts.size());
     for (const CutChartId c : s.charts.ids())
@@ -203,12 +276,28 @@ class Merger {
     });
     if (isHinge_) runs = hingesOf(s, runs);
     IdVector<CutChartId, std::uint8_t> isUsed(s.charts.size(), 0);
-    std::vector<SharedRun> out;
-    for (SharedRun& run : runs) {
-      if (isUsed[run.a] || isUsed[run.b] || isRefused(run) || !stillPromises(s, outlines, run))
-        continue;
-      isUsed[run.a] = isUsed[run.b] = 1;
-      out.push_back(std::move(run));
+    std::vector<RunsTogether> all, out;
+    for (const SharedRun& run : runs) {
+      if (isRefused(run)) continue;
+      RunsTogether together = withImage(s, run);
+      if (!together.empty()) all.push_back(std::move(together));
+    }
+    // With its image a run saves twice as much.
+    const auto saved = [](const RunsTogether& x) {
+      return x.front().cost * static_cast<double>(x.size());
+    };
+    if (options_.mirror && !isHinge_)
+      sortStably(all,
+                 [&](const RunsTogether& x, const RunsTogether& y) { return saved(x) > saved(y); });
+    for (RunsTogether& together : all) {
+      const bool isPossible =
+          std::all_of(together.begin(), together.end(), [&](const SharedRun& run) {
+            return !isUsed[run.a] && !isUsed[run.b] && !isRefused(run) &&
+                   stillPromises(s, outlines, run);
+          });
+      if (!isPossible) continue;
+      for (const SharedRun& each : together) isUsed[each.a] = isUsed[each.b] = 1;
+      out.push_back(std::move(together));
     }
     return out;
   }
@@ -223,7 +312,10 @@ class Merger {
 
   /// Solves for the unions of the charts that the runs, which are already opened, separate.
   /// `apart`: the surface before that.
-  Trial tryOut(const std::vector<SharedRun>& runs, CutSurface apart) {
+  Trial tryOut(const std::vector<RunsTogether>& all, CutSurface apart) {
+    std::vector<SharedRun> runs;
+    for (const RunsTogether& together : all)
+      runs.insert(runs.end(), together.begin(), together.end());
     constexpr std::size_t kMost = 2;  // times as many: the elimination order is for the whole
     CutSurface s = cutAlong(mesh_, seams_, pulse_);
     IdVector<CutChartId, std::uint8_t> isUnion(s.charts.size(), 0);
@@ -262,35 +354,57 @@ class Merger {
 
   const SeamMesh& meshOf(const Trial& trial) const { return trial.part ? trial.part->mesh : mesh_; }
 
-  /// Whether joining charts along a run is worth what it stretches them.
-  bool isWorth(const Trial& trial, SurfaceCorner h, const SharedRun& run) const {
+  /// The charts that the runs join into one.
+  std::vector<CutChartId> partsOf(const Trial& trial, const RunsTogether& runs) const {
+    std::vector<CutChartId> out;
+    for (const SharedRun& run : runs) {
+      const SurfaceCorner h = trial.inTrial(run.edges.front());
+      out.push_back(trial.apart.chartOf(h));
+      out.push_back(trial.apart.chartOf(meshOf(trial).twin[h]));
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+
+  CutChartId wholeOf(const Trial& trial, const SharedRun& run) const {
+    return trial.joined.chartOf(trial.inTrial(run.edges.front()));
+  }
+
+  /// Whether joining charts along runs is worth what it stretches them.
+  bool isWorth(const Trial& trial, const RunsTogether& runs) const {
     const SeamPrices prices;
-    const CutChartId whole = trial.joined.chartOf(h);
+    const CutChartId whole = wholeOf(trial, runs.front());
     const double all = trial.joined.charts[whole].area;
     const auto costOf = [&](const CutSurface& s, const Prediction& told, CutChartId c) {
       return prices.ofStretch(told.stretch[c]) * s.charts[c].area / all;
     };
-    // A short piece of a crease is no reason to leave two charts hanging together.
-    constexpr double kHardlyHidden = 0.5;
-    if (isHinge_ && run.cost < kHardlyHidden * run.length) return false;
     double more = costOf(trial.joined, trial.prediction, whole);
-    for (const SurfaceCorner side : {h, meshOf(trial).twin[h]})
-      more -= costOf(trial.apart, trial.before, trial.apart.chartOf(side));
-    return more <= run.cost / std::sqrt(all) + prices.chart;
+    for (const CutChartId part : partsOf(trial, runs))
+      more -= costOf(trial.apart, trial.before, part);
+    for (const SharedRun& run : runs) {
+      // A short piece of a crease is no reason to leave two charts hanging together.
+      constexpr double kHardlyHidden = 0.5;
+      if (isHinge_ && run.cost < kHardlyHidden * run.length) return false;
+      more -= run.cost / std::sqrt(all) + prices.chart;
+    }
+    return more <= 0;
   }
 
-  /// `h`: one of the opened half-edges.
-  bool keepsBounds(const Trial& trial, SurfaceCorner h, const SharedRun& run) const {
+  /// Of runs that join charts into a single one.
+  bool keepsBounds(const Trial& trial, const RunsTogether& runs) const {
     // What is cut is cut for good reasons, so no union may come near the bound. One that is joined
     // only along a part of its seam is not stretched more than its charts are.
     constexpr double kMuch = 0.7, kNearlyAll = 0.95;
-    const double ofBound = isHinge_ ? kNearlyAll : kMuch;
+    const double ofBound = isInPlane(runs.front()) ? kOfBoundForImages
+                           : isHinge_              ? kNearlyAll
+                                                   : kMuch;
     const CutSurface& s = trial.joined;
-    const CutChartId chart = s.chartOf(h);
+    const CutChartId chart = wholeOf(trial, runs.front());
     if (!s.charts[chart].isDisk() ||
         trial.prediction.stretch[chart] > 1 + ofBound * (options_.maxStretch - 1))
       return false;
-    if (!isWorth(trial, h, run)) return false;
+    if (!isWorth(trial, runs)) return false;
     const auto outline = [&](const CutSurface& surface, CutChartId c) {
       return predictOutline(meshOf(trial), surface, c, trial.u);
     };
@@ -300,27 +414,37 @@ class Merger {
         shape.fill < (isHinge_ ? kLeastFill : options_.leastFill))
       return false;
     double room = 0;
-    for (const SurfaceCorner side : {h, meshOf(trial).twin[h]})
-      room += hullArea(outline(trial.apart, trial.apart.chartOf(side)));
+    for (const CutChartId part : partsOf(trial, runs)) room += hullArea(outline(trial.apart, part));
     if (shape.extent > (isHinge_ ? longest_ : options_.longest)) return false;
-    return hullArea(whole) <= (isHinge_ ? kMostRoomOfHinged : kMostRoom) * room;
+    return hullArea(whole) <= mostRoom(runs.front()) * room;
   }
 
-  std::uint32_t joinWherePossible(const std::vector<SharedRun>& runs, CutSurface apart) {
-    for (const SharedRun& run : runs) mark(run, false);
-    const Trial trial = tryOut(runs, std::move(apart));
+  bool isPossible(const Trial& trial, const RunsTogether& runs) const {
+    if (trial.u.empty()) return false;
+    if (runs.size() == 1 || wholeOf(trial, runs.front()) == wholeOf(trial, runs.back()))
+      return keepsBounds(trial, runs);
+    return std::all_of(runs.begin(), runs.end(),
+                       [&](const SharedRun& run) { return keepsBounds(trial, {run}); });
+  }
+
+  std::uint32_t joinWherePossible(const std::vector<RunsTogether>& all, CutSurface apart) {
+    for (const RunsTogether& together : all)
+      for (const SharedRun& run : together) mark(run, false);
+    const Trial trial = tryOut(all, std::move(apart));
     const SeamMesh& mesh = meshOf(trial);
     IdVector<CutChartId, std::uint8_t> isDone(trial.joined.charts.size(), 0);
     std::uint32_t done = 0;
-    for (const SharedRun& run : runs) {
-      const SurfaceCorner h = trial.inTrial(run.edges.front());
-      if (!trial.u.empty() && keepsBounds(trial, h, run)) {
-        ++done;
-        isDone[trial.joined.chartOf(h)] = 1;
-        continue;
+    for (const RunsTogether& together : all) {
+      const bool isJoined = isPossible(trial, together);
+      for (const SharedRun& run : together) {
+        if (isJoined) {
+          ++done;
+          isDone[wholeOf(trial, run)] = 1;
+        } else {
+          mark(run, true);
+          refuse(run);
+        }
       }
-      mark(run, true);
-      refuse(run);
     }
     for (const SurfaceCorner h : mesh.corners()) {
       if (!isDone[trial.joined.chartOf(h)]) continue;

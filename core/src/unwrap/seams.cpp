@@ -219,7 +219,7 @@ std::string asymmetryNote(Asymmetry why) {
   const std::string what = "seams are not symmetric: ";
   if (why == Asymmetry::NoPlane) return what + "the mesh is not its own mirror image";
   if (why == Asymmetry::SeamsGiven) return what + "some seams or islands were given";
-  return what + "the mirror plane would cut a face or a filled hole";
+  return what + "charts would be stretched too much or overlap themselves";
 }
 
 }  // namespace
