@@ -26,6 +26,9 @@ constexpr double kMostRoom = 1.05;
 /// so that the union fits into a well-filled square from corner to corner.
 constexpr double kMostRoomOfHinged = 1.4, kLeastFill = 0.3, kLongest = 1.9;
 
+/// Relative to its length, the cost of a seam that is not hidden.
+constexpr double kHardlyHidden = 0.5;
+
 /// A path along which two charts touch. Opening it joins two disks into one.
 struct SharedRun {
   CutChartId a, b;                   ///< a < b
@@ -260,8 +263,13 @@ class Merger {
     return {run, std::move(image)};
   }
 
+  /// Whether the run is in plain sight between a chart and its image.
+  bool isBetweenImages(const SharedRun& run) const {
+    return isInPlane(run) && !(run.cost < kHardlyHidden * run.length);
+  }
+
   double mostRoom(const SharedRun& run) const {
-    if (isInPlane(run)) return kMostRoomOfImages;
+    if (isBetweenImages(run)) return kMostRoomOfImages;
     return isHinge_ ? kMostRoomOfHinged : kMostRoom;
   }
 
@@ -384,7 +392,6 @@ class Merger {
       more -= costOf(trial.apart, trial.before, part);
     for (const SharedRun& run : runs) {
       // A short piece of a crease is no reason to leave two charts hanging together.
-      constexpr double kHardlyHidden = 0.5;
       if (isHinge_ && run.cost < kHardlyHidden * run.length) return false;
       more -= run.cost / std::sqrt(all) + prices.chart;
     }

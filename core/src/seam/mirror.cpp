@@ -152,8 +152,17 @@ Mirror Mirror::ofPart(const SeamPart& part) const {
   out.side = part.ofVertices(side);
   IdVector<SurfaceCorner, SurfaceCorner> inPart(image.size());
   for (const SurfaceCorner h : part.wholeHalfEdge.ids()) inPart[part.wholeHalfEdge[h]] = h;
-  const auto moved = [&](SurfaceCorner h) { return h.exists() ? inPart[h] : SurfaceCorner(); };
+  // An edge that the part is open along has no image, and is none.
+  const auto moved = [&](SurfaceCorner h) {
+    const SurfaceCorner i = h.exists() ? inPart[h] : SurfaceCorner();
+    return i.exists() && part.mesh.twin[i].exists() ? i : SurfaceCorner();
+  };
   for (const SurfaceCorner h : part.wholeHalfEdge) {
+    if (!moved(h).exists()) {
+      out.image.push_back({});
+      out.around.push_back({});
+      continue;
+    }
     out.image.push_back(moved(image[h]));
     const auto [first, second] = around[h];
     const bool isBoth = moved(first).exists() && moved(second).exists();

@@ -106,6 +106,7 @@ bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8
   const SeamPart part = extractCharts(open.mesh, surface, isWanted);
   const bool hasRanks = !open.eliminationRanks.empty();
   if (hasRanks) options.eliminationRanks = part.ofVertices(open.eliminationRanks);
+  options.mirror = open.mirror.ofPart(part);
   open.seams.resize(open.mesh.twin.size(), 0);
   open.found.resize(open.mesh.twin.size(), 0);
   Seams given;
@@ -170,6 +171,7 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
     open.scale = std::move(found.scale);
     open.found = std::move(found.found);
     open.foundScale = std::move(found.foundScale);
+    open.mirror = std::move(found.mirror);
     return;
   }
   const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
@@ -213,6 +215,22 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   if (report.cancelled || !(costOf(other, report) < costOf(open, found))) return;
   open = std::move(other);
   found = std::move(report);
+}
+
+/// The larger value of each chart and its mirror image, so that both are cut alike.
+IdVector<CutChartId, double> withImages(const OpenSurface& open, const CutSurface& s,
+                                        IdVector<CutChartId, double> excess) {
+  IdVector<CutChartId, CutChartId> image(excess.size());
+  for (const SurfaceCorner h : open.mirror.image.ids()) {
+    const SurfaceCorner there = open.mirror.image[h];
+    // The mirror turns the surface around, so what is on the left comes to the right.
+    if (there.exists() && s.twin[h].exists())
+      image[s.chartOf(h)] = s.chartOf(open.mesh.twin[there]);
+  }
+  IdVector<CutChartId, double> out = excess;
+  for (const CutChartId c : image.ids())
+    if (image[c].exists()) out[image[c]] = std::max(out[image[c]], excess[c]);
+  return out;
 }
 
 std::string asymmetryNote(Asymmetry why) {
@@ -276,6 +294,7 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
                                              : above(charts[i].stretch) / told;
     excess[c] = std::min(found, std::max(kMost, leastToCut));
   }
+  excess = withImages(open, s, std::move(excess));
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (const SurfaceTriangle f : open.mesh.triangles())
     if (const double x = excess[s.chartOfTriangle[f]]; x > 0) open.mesh.excess[f] = x;
