@@ -43,9 +43,12 @@ class SymmetricFinder {
     if (!mirror) report.asymmetry = Asymmetry::NoPlane;
     if (!mirror || mirroredShare(mesh_, mirror, seams) > kSymmetric) return;
     const double before = priceOf(seams, report);
+    const auto isPreferable = [&](const Found& found) {
+      return found.price <= kDearer * before && found.report.charts <= report.charts + kMoreCharts;
+    };
+    const bool isForced = options_.symmetricSeams == SymmetricSeams::Always;
     std::optional<Found> best;
     for (const Beginning beginning : {Beginning::OneSide, Beginning::OtherSide, Beginning::Half}) {
-      if (best && best->price <= before) break;
       const std::optional<Seams> first = begin(beginning, mirror, costOf(mesh_, seams), report);
       if (!first) continue;
       Found now = findFrom(*first, mirror, report);
@@ -53,11 +56,11 @@ class SymmetricFinder {
       if (report.cancelled) return;
       if (mirroredShare(mesh_, mirror, now.seams) < kSymmetric) continue;
       if (!best || now.price < best->price) best = std::move(now);
+      // Another search takes time.
+      if (!isForced && isPreferable(*best)) break;
     }
     if (!best) report.asymmetry = Asymmetry::NoSeams;
-    if (!best || isTooMuch(best->price, kDearer * before) ||
-        isTooMuch(best->report.charts, report.charts + kMoreCharts))
-      return;
+    if (!best || !(isForced || isPreferable(*best))) return;
     seams = std::move(best->seams);
     report = std::move(best->report);
     report.mirror = mirror;
@@ -80,10 +83,6 @@ class SymmetricFinder {
     double price = 0;
   };
 
-  bool isTooMuch(double now, double most) const {
-    return options_.symmetricSeams == SymmetricSeams::Auto && now > most;
-  }
-
   /// None if there are none, or if they will cost too much.
   std::optional<Seams> begin(Beginning beginning, const Mirror& mirror, double cost,
                              const SeamReport& report) const {
@@ -95,7 +94,7 @@ class SymmetricFinder {
       // By measurement, the result costs more than this.
       constexpr double kLeastOfPlane = 0.6;
       const double least = 2 * costOf(half->mesh, found) + kLeastOfPlane * costOf(mesh_, *plane);
-      if (isTooMuch(least, kDearer * cost)) return {};
+      if (options_.symmetricSeams == SymmetricSeams::Auto && least > kDearer * cost) return {};
       return unfold(mesh_, mirror, *half, found);
     }
     const int from = beginning == Beginning::OneSide ? 1 : -1;

@@ -10,7 +10,7 @@ namespace {
 /// Of the vertices that are sampled, those off the plane that have an image.
 constexpr double kLeastSampled = 0.6;
 /// How many vertices are sampled, and how many the samples are compared with at first.
-constexpr std::uint32_t kFew = 200, kMany = 1000, kTargets = 20000;
+constexpr std::uint32_t kFew = 100, kMany = 1000, kTargets = 5000;
 /// Distances of images while the plane is only roughly known.
 constexpr std::array<double, 3> kFar = {0.05, 0.03, 0.015};
 constexpr std::array<double, 2> kNear = {4e-3, kMirrorTolerance};
