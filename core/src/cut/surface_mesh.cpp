@@ -112,8 +112,7 @@ double costWhere(double bend, bool isConcave) {
          (kOfBent - (isConcave ? kOfConcave : kOfConvex)) * smoothStep(kBent, kSharp, bend);
 }
 
-void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent, const Pulse& pulse) {
-  const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
+void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
   for (const SurfaceCorner h : m.corners()) {
     const SurfaceCorner o = m.twin[h];
     if (o < h) continue;
@@ -121,11 +120,20 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent, c
     m.cost[h] = m.length[h];
     if (o.exists()) {
       w += cotangent[prevCorner(o)] / 2;
-      m.length[o] = m.length[h];
-      m.cost[h] = m.cost[o] = inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h)));
+      m.cost[o] = m.length[o] = m.length[h];
     }
     m.weight[h] = inFewBits(std::clamp(w, kLeastWeight, kMostWeight));
     if (o.exists()) m.weight[o] = m.weight[h];
+  }
+}
+
+/// Costs by how much seams are in sight.
+void hideSeams(SeamMesh& m, const Pulse& pulse) {
+  const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
+  for (const SurfaceCorner h : m.corners()) {
+    const SurfaceCorner o = m.twin[h];
+    if (o.exists() && h < o)
+      m.cost[h] = m.cost[o] = inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h)));
   }
 }
 
@@ -146,7 +154,8 @@ IdRange<SurfaceCorner> SeamMesh::fillingCorners() const {
 
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
-                      const IdVector<SurfaceTriangle, std::uint8_t>& scale, const Pulse& pulse) {
+                      const IdVector<SurfaceTriangle, std::uint8_t>& scale, SeamCosts costs,
+                      const Pulse& pulse) {
   SeamMesh m;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
@@ -162,7 +171,8 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
     measureTriangle(m, f, cotangent);
     pulse.beat();
   }
-  weighEdges(m, cotangent, pulse);
+  weighEdges(m, cotangent);
+  if (costs == SeamCosts::Sight) hideSeams(m, pulse);
   pulse.beat(corners);
   for (const SurfaceCorner h : isDiagonal.ids())
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();

@@ -24,13 +24,14 @@ class SeamFairer {
       : work_(work), mesh_(work.mesh), u_(work.u), seams_(work.seams), cost_(mesh_.cost) {
     constexpr float kWidth = 0.17f;
     for (const std::uint8_t isKept : work.kept) width_.push_back(isKept ? 0 : kWidth);
-    constexpr double kDiscount = 0.6;
+    const double unseen = work.options.prices.unseen;
+    if (unseen == 0) return;
     const IdVector<SurfaceTriangle, double> hidden = occlusion(mesh_, pulse_);
     for (const SurfaceCorner h : cost_.ids()) {
       const SurfaceCorner o = mesh_.twin[h];
       if (!o.exists()) continue;
       const double share = (hidden[triangleOf(h)] + hidden[triangleOf(o)]) / 2;
-      const double cost = cost_[h] - kDiscount * share * mesh_.length[h];
+      const double cost = cost_[h] - unseen * share * mesh_.length[h];
       cost_[h] = std::max(kLeastCost * mesh_.length[h], cost);
     }
   }

@@ -58,9 +58,11 @@ class SymmetricFinder {
     Seams symmetric = findInRounds(mesh_, Seams(mesh_.twin.size(), 0), options, own);
     if (own.cancelled) report.cancelled = true;
     if (own.cancelled || isTooMuch(own.charts, report.charts) ||
-        isTooMuch(costOf(mesh_, symmetric), cost))
+        isTooMuch(costOfAll(symmetric, own), costOfAll(seams, report)))
       return;
     seams = std::move(symmetric);
+    // A chart must be solved in the same order whenever it is found.
+    own.eliminationRanks = std::move(report.eliminationRanks);
     report = std::move(own);
   }
 
@@ -71,6 +73,12 @@ class SymmetricFinder {
   /// seams, or if kLeastOfPlane of them plus the seams beside the plane cost more than all seams,
   /// the result comes out longer.
   static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
+
+  double costOfAll(const Seams& seams, const SeamReport& report) const {
+    const IdVector<SurfaceTriangle, CutChartId> one(mesh_.triangleCount(), CutChartId(0));
+    return costOfParts(mesh_, seams, report.scale, options_.maxStretch, one, 1, options_.prices)
+        .front();
+  }
 
   bool isTooMuch(double now, double most) const {
     return options_.symmetricSeams == SymmetricSeams::Auto && now > most;
@@ -120,7 +128,7 @@ class CreaseFinder {
 
   IdVector<CutChartId, double> costs(const Seams& seams, const LogScales& u) const {
     return costOfParts(mesh_, seams, u, options_.maxStretch, whole_.chartOfTriangle,
-                       whole_.charts.size());
+                       whole_.charts.size(), options_.prices);
   }
 
   void takeCheaper(const SeamPart& part, const Seams& found, const SeamReport& own, Seams& seams,

@@ -264,7 +264,7 @@ class Merger {
 
   /// Whether joining charts along a run is worth what it stretches them.
   bool isWorth(const Trial& trial, SurfaceCorner h, const SharedRun& run) const {
-    const SeamPrices prices;
+    const SeamPrices& prices = options_.prices;
     const CutChartId whole = trial.joined.chartOf(h);
     const double all = trial.joined.charts[whole].area;
     const auto costOf = [&](const CutSurface& s, const Prediction& told, CutChartId c) {

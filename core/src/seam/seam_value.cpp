@@ -16,8 +16,7 @@ double SeamPrices::ofStretch(double s) const {
 IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seams,
                                          const LogScales& u, double maxStretch,
                                          const IdVector<SurfaceTriangle, CutChartId>& partOf,
-                                         std::size_t parts) {
-  const SeamPrices prices;
+                                         std::size_t parts, const SeamPrices& prices) {
   constexpr double kBeyondBound = 10;  // times as bad
   IdVector<CutChartId, double> out(parts, 0);
   IdVector<CutChartId, double> area(parts, 0);

@@ -11,7 +11,10 @@ struct SeamPrices {
   double stretch = 5;   ///< of the conformal stretch of a chart, for what it exceeds 1 by
   double inexact =
       0.8;  ///< of a chart that is not exact, so that nearly free seams are taken for it
+  double unseen = 0.6;  ///< saved where the surface sees nothing but itself
   double ofStretch(double stretch) const;
+  /// Only lengths count.
+  static SeamPrices none() { return {0, 0, 0, 0}; }
 };
 
 /// Per part of the mesh, what its seams, charts and stretch cost, relative to its own size.
@@ -20,6 +23,6 @@ struct SeamPrices {
 IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seams,
                                          const LogScales& u, double maxStretch,
                                          const IdVector<SurfaceTriangle, CutChartId>& partOf,
-                                         std::size_t parts);
+                                         std::size_t parts, const SeamPrices& prices);
 
 }  // namespace abflat

@@ -99,6 +99,8 @@ export const FLATTEN_OPTIONS = {
 
 export type FillHoles = 'auto' | 'never' | 'always';
 
+export type SeamCosts = 'sight' | 'length';
+
 export type SymmetricSeams = 'auto' | 'never' | 'always';
 
 /** The options of unwrapping that are plain values, with their defaults. */
@@ -107,6 +109,7 @@ export interface UnwrapOptionValues {
   balance: number;
   orient: boolean;
   fillHoles: FillHoles;
+  seamCosts: SeamCosts;
   symmetricSeams: SymmetricSeams;
   t: number | 'auto';
   straightSeams: boolean;
@@ -125,6 +128,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   balance: 0.2,
   orient: false,
   fillHoles: 'auto',
+  seamCosts: 'sight',
   symmetricSeams: 'auto',
   t: 'auto',
   straightSeams: false,
@@ -144,6 +148,7 @@ export const UNWRAP_OPTIONS = {
   balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)', range: 'at least 0 and at most 1' },
   orient: { type: 'boolean', default: false, text: 'turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are', range: '' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches', range: 'auto, never, always' },
+  seamCosts: { type: 'choice', default: 'sight', choices: ['sight', 'length'], text: 'what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces do not; length = their length alone, as papers and patterns have it', range: 'sight, length' },
   symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved', range: '' },
