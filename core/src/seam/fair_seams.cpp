@@ -6,6 +6,7 @@
 #include "seam/occlusion.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 namespace {
@@ -47,7 +48,8 @@ class SeamFairer {
       LogScales u = work_.scale.solve(after, {});
       if (u.empty() || after.charts.size() != before.charts.size()) return false;
       const Prediction told = predictStretch(mesh_, after, u);
-      const Faults faults = faultsOf(before, was, after, told, u);
+      const Faults faults =
+          faultsOf(before, was, after, told, u, isDearer(before, was, after, told, now));
       if (std::all_of(faults.begin(), faults.end(), [](Fault f) { return f == Fault::None; })) {
         seams_ = std::move(now);
         u_ = std::move(u);
@@ -60,12 +62,22 @@ class SeamFairer {
   }
 
  private:
+  /// Whether shorter seams cost more by what they stretch.
+  bool isDearer(const CutSurface& before, const Prediction& was, const CutSurface& after,
+                const Prediction& told, const Seams& now) const {
+    const SeamPrices& prices = work_.options.prices;
+    return costOfAll(mesh_, now, after, told, prices) >
+           costOfAll(mesh_, seams_, before, was, prices);
+  }
+
   Faults faultsOf(const CutSurface& before, const Prediction& was, const CutSurface& after,
-                  const Prediction& told, const LogScales& u) const {
+                  const Prediction& told, const LogScales& u, bool isDearer) const {
+    constexpr double kMore = 1e-6;
     Faults out;
     for (const CutChartId c : after.charts.ids()) {
       const CutChartId old = before.chartOfTriangle[after.charts[c].firstTriangle];
-      if (told.stretch[c] > std::max(1 + kShare * (work_.options.maxStretch - 1), was.stretch[old]))
+      const double most = 1 + kShare * (work_.options.maxStretch - 1);
+      if (told.stretch[c] > std::max(isDearer ? 1 + kMore : most, was.stretch[old]))
         out.push_back(Fault::Stretched);
       else if (!after.charts[c].isDisk() ||
                overlapsMore(mesh_, {after, c, u}, {before, old, u_}, work_.options.mostOverlap))

@@ -3,14 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seam/prediction.h"
-
 namespace abflat {
 
 double SeamPrices::ofStretch(double s) const {
   constexpr double kInexact = 0.002;
   const double x = std::max(0.0, s - 1);
   return stretch * x + inexact * std::min(1.0, std::sqrt(x / kInexact));
+}
+
+double costOfAll(const SeamMesh& mesh, const Seams& seams, const CutSurface& s,
+                 const Prediction& told, const SeamPrices& prices) {
+  double cost = 0, stretch = 0, area = 0;
+  for (const SurfaceCorner h : seams.ids())
+    if (seams[h] && mesh.isOnSurface(h)) cost += mesh.cost[h] / 2;
+  for (const CutChartId c : s.charts.ids()) {
+    area += s.charts[c].area;
+    stretch += s.charts[c].area * prices.ofStretch(told.stretch[c]);
+  }
+  return area > 0 ? cost / std::sqrt(area) + stretch / area : 0;
 }
 
 IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seams,

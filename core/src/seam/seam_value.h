@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cut/cut_surface.h"
+#include "seam/prediction.h"
 
 namespace abflat {
 
@@ -16,6 +17,10 @@ struct SeamPrices {
   /// Only lengths count.
   static SeamPrices none() { return {0, 0, 0, 0}; }
 };
+
+/// What seams and the stretch of charts cost in all, but not the number of charts.
+double costOfAll(const SeamMesh& mesh, const Seams& seams, const CutSurface& surface,
+                 const Prediction& told, const SeamPrices& prices);
 
 /// Per part of the mesh, what its seams, charts and stretch cost, relative to its own size.
 /// `partOf`: the part of each triangle; no chart is in several parts. A chart above `maxStretch`
