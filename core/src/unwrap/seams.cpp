@@ -43,7 +43,7 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
     if (given[h]) table.twin[h] = SurfaceCorner();
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
     return makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
-                        asked.scales.ofTriangle, options.seamCosts, pulse);
+                        asked.scales.ofTriangle, asked.hard, options.seamCosts, pulse);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;
@@ -228,8 +228,8 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   Seams seams = asked.seams;
   for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] || borders[h];
   SeamReport report;
-  OpenSurface other =
-      openWith(uncut, {seams, asked.scales, asked.fixed}, options, pool, keepsOn, report, &open);
+  OpenSurface other = openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool,
+                               keepsOn, report, &open);
   if (report.cancelled) found.cancelled = true;
   const SeamPrices prices = seamOptions(options, open, pool, keepsOn).prices;
   const auto costOf = [&](const OpenSurface& x, const SeamReport& told) {

@@ -27,7 +27,7 @@ class Sets {
 Cuttable::Cuttable(PolygonMesh polygons, SeamCosts costs)
     : mesh(std::move(polygons)),
       surface(buildSurface(mesh)),
-      seamMesh(makeSeamMesh(mesh.positions, surface.table, surface.fans, {}, {}, costs)) {}
+      seamMesh(makeSeamMesh(mesh.positions, surface.table, surface.fans, {}, {}, {}, costs)) {}
 
 std::vector<PolygonMesh> chartsOf(const Cuttable& cuttable, const Seams& seams) {
   const CornerTable& table = cuttable.surface.table;

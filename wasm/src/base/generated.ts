@@ -103,6 +103,10 @@ export type SeamCosts = 'sight' | 'length';
 
 export type SymmetricSeams = 'auto' | 'never' | 'always';
 
+export type Up = 'auto' | 'y' | 'z';
+
+export type Rotate = 'free' | 'quarter' | 'none';
+
 /** The options of unwrapping that are plain values, with their defaults. */
 export interface UnwrapOptionValues {
   maxStretch: number;
@@ -118,7 +122,8 @@ export interface UnwrapOptionValues {
   texelDensity: number | 'auto';
   udim: boolean;
   minUtilization: number | 'auto';
-  rotate: boolean;
+  up: Up;
+  rotate: Rotate;
   memory: number | 'auto';
   threads: number;
 }
@@ -137,7 +142,8 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   texelDensity: 'auto',
   udim: false,
   minUtilization: 'auto',
-  rotate: true,
+  up: 'auto',
+  rotate: 'free',
   memory: 'auto',
   threads: 0,
 };
@@ -157,7 +163,8 @@ export const UNWRAP_OPTIONS = {
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
   minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)', range: 'at least 0 and at most 1, or auto' },
-  rotate: { type: 'boolean', default: true, text: 'rotate charts to pack tighter; otherwise each lies level, in its smallest box', range: '' },
+  up: { type: 'choice', default: 'auto', choices: ['auto', 'y', 'z'], text: 'which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis', range: 'auto, y, z' },
+  rotate: { type: 'choice', default: 'free', choices: ['free', 'quarter', 'none'], text: 'how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all', range: 'free, quarter, none' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for the factor of the solver\'s matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
 } as const;

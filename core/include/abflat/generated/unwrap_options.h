@@ -64,6 +64,44 @@ inline const char* nameOf(SymmetricSeams code) {
   return "";
 }
 
+/// Which axis of the mesh points up: charts that stand are laid out upright.
+enum class Up : int {
+  Auto = 0,  ///< z in STL files, y in all others
+  Y = 1,  ///< the y axis
+  Z = 2,  ///< the z axis
+};
+
+inline const char* nameOf(Up code) {
+  switch (code) {
+    case Up::Auto:
+      return "auto";
+    case Up::Y:
+      return "y";
+    case Up::Z:
+      return "z";
+  }
+  return "";
+}
+
+/// How charts, which lie level and upright, are turned to pack tighter.
+enum class Rotate : int {
+  Free = 0,  ///< by any angle where that gains 3 % texels per unit or more
+  Quarter = 1,  ///< by quarter turns only
+  None = 2,  ///< not at all
+};
+
+inline const char* nameOf(Rotate code) {
+  switch (code) {
+    case Rotate::Free:
+      return "free";
+    case Rotate::Quarter:
+      return "quarter";
+    case Rotate::None:
+      return "none";
+  }
+  return "";
+}
+
 /// "auto" as a value of the option texelDensity.
 constexpr double kAutoTexelDensity = 0;
 /// "auto" as a value of the option minUtilization.
@@ -97,8 +135,10 @@ struct UnwrapOptionValues {
   bool udim = false;
   /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)
   double minUtilization = -1;
-  /// rotate charts to pack tighter; otherwise each lies level, in its smallest box
-  bool rotate = true;
+  /// which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis
+  Up up = Up::Auto;
+  /// how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
+  Rotate rotate = Rotate::Free;
   /// memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
   /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
@@ -120,11 +160,12 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)", false, false},
-    {"rotate", "--no-rotate", "true", "", "do not rotate charts to pack tighter; otherwise each lies level, in its smallest box", true, false},
+    {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
+    {"rotate", "--rotate", "free", "free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 16};
+  return {kInfos, 17};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -185,14 +226,18 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.minUtilization = static_cast<double>(value);
       return true;
     case 13:
-      if (!(value == 0 || value == 1)) return false;
-      options.rotate = value != 0;
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      options.up = static_cast<Up>(static_cast<int>(value));
       return true;
     case 14:
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      options.rotate = static_cast<Rotate>(static_cast<int>(value));
+      return true;
+    case 15:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 15:
+    case 16:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -213,15 +258,21 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 6 && text == "auto") return found = true, 0;
   if (index == 10 && text == "auto") return found = true, 0;
   if (index == 12 && text == "auto") return found = true, -1;
-  if (index == 14 && text == "auto") return found = true, 0;
+  if (index == 13 && text == "auto") return found = true, 0;
+  if (index == 13 && text == "y") return found = true, 1;
+  if (index == 13 && text == "z") return found = true, 2;
+  if (index == 14 && text == "free") return found = true, 0;
+  if (index == 14 && text == "quarter") return found = true, 1;
+  if (index == 14 && text == "none") return found = true, 2;
+  if (index == 15 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 14 && letter == 'M') return 1;
-  if (index == 14 && letter == 'G') return 1024;
-  if (index == 14 && letter == 'T') return 1048576;
+  if (index == 15 && letter == 'M') return 1;
+  if (index == 15 && letter == 'G') return 1024;
+  if (index == 15 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -250,7 +301,8 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
     visit("minUtilization", "auto");
   else
     visit("minUtilization", options.minUtilization);
-  visit("rotate", options.rotate);
+  visit("up", nameOf(options.up));
+  visit("rotate", nameOf(options.rotate));
   if (options.memory == 0)
     visit("memory", "auto");
   else
