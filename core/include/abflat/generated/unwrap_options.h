@@ -133,7 +133,7 @@ struct UnwrapOptionValues {
   double texelDensity = 0;
   /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
   bool udim = false;
-  /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)
+  /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)
   double minUtilization = -1;
   /// which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis
   Up up = Up::Auto;
@@ -159,7 +159,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
-    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)", false, false},
+    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
     {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
     {"rotate", "--rotate", "free", "free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
