@@ -26,6 +26,18 @@ SeamSources randomSeams(const PolygonMesh& mesh, RandomSource& random) {
   return out;
 }
 
+/// Normals or smoothing groups, as a file may have them.
+void addShading(PolygonMesh& mesh, RandomSource& random) {
+  const bool hasNormals = random.flag();
+  if (hasNormals)
+    for (std::uint32_t n = 4; n > 0; --n)
+      mesh.normals.insert(mesh.normals.end(), {random.signedUnit(), random.signedUnit(), 1});
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+    if (!hasNormals) mesh.faceSmoothing.push_back(random.below(3));
+  for (std::size_t c = 0; hasNormals && c < mesh.faceVertices.size(); ++c)
+    mesh.faceNormals.push_back(random.isOneOf(8) ? kNoNormal : random.below(4));
+}
+
 template <class Options>
 void showOptions(std::ostringstream& out, const Options& options) {
   forEachOption(options, [&](const char* name, const auto& value) {
@@ -43,6 +55,10 @@ UnwrapCase unwrapCase(const std::uint8_t* bytes, std::size_t size) {
   if (!out.isPlain) randomOptions(out.options, random);
   out.mesh = randomMesh(random);
   if (!out.isPlain) out.options.seams = randomSeams(out.mesh, random);
+  if (!out.isPlain && random.isOneOf(3)) {
+    addShading(out.mesh, random);
+    out.options.seams.followsHardEdges = random.flag();
+  }
   out.options.roundsToSingle = format == 1;
   out.options.roundsForGltf = format == 2;
   return out;
@@ -69,7 +85,8 @@ std::string shown(const UnwrapCase& c) {
   showOptions(out, static_cast<const UnwrapOptionValues&>(c.options));
   const SeamSources& seams = c.options.seams;
   out << "# seams: auto " << seams.isAuto << ", sharp " << seams.sharpDegrees << ", uv "
-      << seams.followsTexcoords << ", material " << seams.followsMaterials << "\n";
+      << seams.followsTexcoords << ", material " << seams.followsMaterials << ", hard "
+      << seams.followsHardEdges << "\n";
   for (const EdgeVertices& e : seams.edges) out << "# seam " << e[0] << " " << e[1] << "\n";
   out << "# rounds to single " << c.options.roundsToSingle << ", for glTF "
       << c.options.roundsForGltf << "\n";

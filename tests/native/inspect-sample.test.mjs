@@ -56,6 +56,8 @@ test('inspect --json gives the same counts, from a file and from a pipe', async 
     eulerCharacteristic: 1,
     genus: 0,
     texcoords: 0,
+    normals: 0,
+    smoothingGroups: 0,
     materials: 0,
   });
   assert.deepEqual(disk, { ok: true, code: 'Ok', message: '' });

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { after, test } from 'node:test';
+import { drum, objWithGroups, objWithNormals } from '../support/drums.mjs';
 import { ReportKeys } from '../support/report-keys.mjs';
 import { foldingPins, NEEDLE, rough, stellated, TOUCHING } from '../support/report-meshes.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
@@ -85,7 +86,8 @@ test('unwrap: holes, pins, parts that stay, cuts for packing', async (t) => {
 });
 
 test('inspect', async (t) => {
-  for (const mesh of [CUBE_OF_PARTS, NEEDLE, objText(torus()), objText(defects())]) {
+  const shaded = [objWithNormals(drum()), objWithGroups(drum())];
+  for (const mesh of [CUBE_OF_PARTS, NEEDLE, ...shaded, objText(torus()), objText(defects())]) {
     const at = tempFolder(t);
     writeFileSync(at('in.obj'), mesh);
     const { stdout } = await runAbflat(['inspect', 'in.obj', '--json'], { cwd: at() });

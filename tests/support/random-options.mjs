@@ -60,7 +60,7 @@ const ONLY = {
         const k = random.below(face.length);
         return `${face[k]} ${face[(k + 1) % face.length]}`;
       };
-      const parts = ['auto', 'none', 'uv', 'material', `sharp=${random.between(1, 180)}`];
+      const parts = ['auto', 'none', 'hard', 'uv', 'material', `sharp=${random.between(1, 180)}`];
       const list = random.pick([...parts, `auto,${random.pick(parts.slice(2))}`, 'file']);
       if (list !== 'file') return ['--seams', list];
       return ['--seams', `file=${file('seams.txt', lines(random.below(6), edge))}`];

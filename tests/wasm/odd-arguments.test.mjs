@@ -107,10 +107,12 @@ const withGetter = (object, name, get) =>
   Object.defineProperty(object, name, { get, enumerable: true });
 
 test('a getter that transfers an array away leaves a mesh that is refused', async () => {
-  const names = ['positions', 'indices', 'texcoords', 'materials'];
+  const names = ['positions', 'indices', 'texcoords', 'normals', 'cornerNormals', 'materials'];
   const make = () => ({
     ...grid(2),
     texcoords: new Float64Array(18),
+    normals: new Float64Array(27),
+    cornerNormals: new Float64Array(72),
     materials: new Uint32Array(8),
   });
   const takes = (array, value) => () => {
@@ -145,7 +147,8 @@ async function fieldNames() {
       refusal.catch(({ message }) => /options are (.*)\.$/.exec(message)[1].split(', ')),
     ),
   );
-  const ofMeshes = ['positions', 'indices', 'texcoords', 'materials', 'bytes', 'name'];
+  const ofArrays = ['positions', 'indices', 'texcoords', 'normals', 'cornerNormals', 'materials'];
+  const ofMeshes = [...ofArrays, 'bytes', 'name'];
   const ofHelpers = ['attribute', 'texcoord', 'overwrite', 'groupBy', 'onAtlas'];
   return new Set([...listed.flat(), ...ofMeshes, ...ofHelpers, 'vertex', 'uv', 'face', 'report']);
 }

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createAbflat } from 'abflat';
+import { drum, objWithGroups, objWithNormals } from '../support/drums.mjs';
 import { ReportKeys } from '../support/report-keys.mjs';
 import { foldingPins, NEEDLE, rough, stellated, TOUCHING } from '../support/report-meshes.mjs';
 import { CUBE_OF_PARTS, grid as gridText } from '../support/small-meshes.mjs';
@@ -67,7 +68,8 @@ test('unwrap', async () => {
 });
 
 test('inspect and compare', async () => {
-  for (const mesh of [file(CUBE_OF_PARTS), arraysOf(torus()), arraysOf(defects())])
+  const shaded = [file(objWithNormals(drum())), file(objWithGroups(drum()))];
+  for (const mesh of [file(CUBE_OF_PARTS), ...shaded, arraysOf(torus()), arraysOf(defects())])
     keys.check(await abflat.inspect(mesh), 'MeshSummary');
   for (const mesh of [await abflat.sample('alpha-band'), file(rough(2))]) {
     const { indices, vertexMap, positions, ...report } = await abflat.compare(mesh);

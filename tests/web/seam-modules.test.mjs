@@ -237,12 +237,12 @@ test('when a choice is taken again, seams are edited from those that were found 
 
 test('sources are the words of the command line', async () => {
   const { AUTOMATIC, seamOptions, seamWords } = await load('seams/seam-choice');
-  const none = { auto: false, uv: false, material: false, sharp: null };
+  const none = { auto: false, hard: false, uv: false, material: false, sharp: null };
   assert.equal(seamWords(none), 'none');
   assert.equal(seamWords(AUTOMATIC.sources), 'auto');
   assert.equal(
-    seamWords({ auto: true, uv: true, material: true, sharp: 42.5 }),
-    'auto,uv,material,sharp=42.5',
+    seamWords({ auto: true, hard: true, uv: true, material: true, sharp: 42.5 }),
+    'auto,hard,uv,material,sharp=42.5',
   );
   const edges = Uint32Array.of(1, 2);
   assert.deepEqual(seamOptions({ sources: AUTOMATIC.sources, edges }), {
@@ -254,7 +254,7 @@ test('sources are the words of the command line', async () => {
 test('a choice of seams is found from its options', async () => {
   const { AUTOMATIC, choiceOf, seamOptions } = await load('seams/seam-choice');
   const edges = Uint32Array.of(1, 2);
-  const sources = { auto: false, uv: true, material: false, sharp: 42.5 };
+  const sources = { auto: false, hard: true, uv: true, material: false, sharp: 42.5 };
   const all = [
     AUTOMATIC,
     { sources, edges: null },

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { drum, glbBytes, objWithGroups } from '../support/drums.mjs';
 import { CUBE, CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { dropAndWait, metrics, openPage, pathOf, settled, textOf } from './page.mjs';
@@ -244,6 +245,7 @@ test('seams that charts need to be disks stay, and say so', async (t) => {
 
 test('sources of seams: what the file has is offered, and they combine', async (t) => {
   const page = await openPage(t, { ...SMALL, open: ['cube.obj', CUBE] });
+  assert.ok(await page.isHidden('#seams-hard'));
   assert.ok(await page.isHidden('#seams-uv'));
   assert.ok(await page.isHidden('#seams-material'));
   await page.click('#seams-sharp');
@@ -269,6 +271,32 @@ test('sources of seams: what the file has is offered, and they combine', async (
   await page.click('#seams-material');
   await settled(page);
   assert.equal(await charts(page), 3);
+});
+
+test('seams on hard edges, from the groups of an OBJ and the normals of a glTF', async (t) => {
+  const page = await openPage(t, { ...SMALL, open: ['drum.obj', objWithGroups(drum(12, 2))] });
+  const ask = async () => {
+    await page.click('#seams-hard');
+    await page.click('#seams-auto');
+    await settled(page);
+    assert.equal(await page.getAttribute('#seams-hard', 'aria-pressed'), 'true');
+    assert.equal(await charts(page), 3);
+  };
+  await ask();
+  await dropAndWait(page, 'drum.glb', glbBytes(drum(12, 2)));
+  assert.equal(await page.getAttribute('#seams-hard', 'aria-pressed'), 'false', 'another mesh');
+  await ask();
+  // Without the lid above it is a disk once its vertices are joined.
+  const { faces, parts, ...rest } = drum(12, 2);
+  const isKept = (_, i) => parts[i] < 2;
+  const cup = { ...rest, faces: faces.filter(isKept), parts: parts.filter(isKept) };
+  await dropAndWait(page, 'cup.glb', glbBytes(cup));
+  await page.click('#seams-hard');
+  await page.click('#seams-auto');
+  await settled(page);
+  assert.equal(await charts(page), 2);
+  await dropAndWait(page, 'cube.obj', CUBE);
+  assert.ok(await page.isHidden('#seams-hard'));
 });
 
 test('seams are cut by keyboard and by touch', async (t) => {

@@ -95,8 +95,8 @@ test('labels of numbers can be read in full, and the dock needs no scrolling, in
 });
 
 test('with every source of seams the dock needs no scrolling', async (t) => {
-  const page = await openPage(t, { open: ['cube.obj', CUBE_OF_PARTS] });
-  for (const id of ['#seams-uv', '#seams-material', '#seams-sharp', '#more-toggle'])
+  const page = await openPage(t, { open: ['cube.obj', CUBE_OF_PARTS.replace(/^f/m, 's 1\nf')] });
+  for (const id of ['#seams-hard', '#seams-uv', '#seams-material', '#seams-sharp', '#more-toggle'])
     assert.ok(await page.isVisible(id), id);
   assert.ok(await page.locator('.ask').evaluate((e) => e.scrollHeight <= e.clientHeight));
 });

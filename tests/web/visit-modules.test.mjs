@@ -11,7 +11,15 @@ const { visitOf, settingsAskedFor } = await loadModule('visit-record');
 const { STRETCHES } = await loadModule('controls/atlas-control');
 const { RESOLUTIONS } = await loadModule('model/settings');
 
-const SEAMS = ['auto', 'none', 'uv', 'material', 'sharp=60', 'auto,uv,material,sharp=0.125'];
+const SEAMS = [
+  'auto',
+  'none',
+  'hard',
+  'uv',
+  'material',
+  'sharp=60',
+  'auto,hard,uv,material,sharp=0.125',
+];
 
 function randomSettings(next) {
   const pick = (values) => values[Math.floor(next() * values.length)];
@@ -29,8 +37,9 @@ function randomSettings(next) {
     symmetricSeams: pick(['auto', 'never', 'always']),
     t: t(),
     texelDensity: pick(['auto', 1e-9 + next(), 1e6 * next() + 1]),
+    up: pick(['auto', 'y', 'z']),
+    rotate: pick(['free', 'quarter', 'none']),
     straightSeams: isOn(),
-    rotate: isOn(),
     udim: isOn(),
     seams: pick(SEAMS),
     ...(isOn() && { fixedFaces: 'uv' }),
@@ -48,8 +57,8 @@ test('settings come back from their text', () => {
 test('the text has what differs from the defaults, in the words of the command line', () => {
   assert.equal(textOf(usualSettings('unwrap')), '');
   assert.equal(textOf(usualSettings('flatten')), 'flatten');
-  const some = { maxStretch: 1.05, rotate: false, udim: true, seams: 'auto,sharp=60' };
-  const text = 'unwrap&max-stretch=1.05&no-rotate&udim&seams=auto,sharp=60';
+  const some = { maxStretch: 1.05, rotate: 'none', udim: true, seams: 'auto,sharp=60' };
+  const text = 'unwrap&max-stretch=1.05&rotate=none&udim&seams=auto,sharp=60';
   assert.equal(textOf({ ...usualSettings('unwrap'), ...some }), text);
   const edited = { ...usualSettings('unwrap'), seams: 'none', seamEdges: Uint32Array.of(0, 1) };
   assert.equal(textOf(edited), '', 'edited seams are of one mesh');
@@ -63,6 +72,7 @@ test('what means nothing is ignored, one by one', () => {
     ...['max-stretch=1.07', 'resolution=1000', 'padding=-1', 'padding=2.5', 'padding=auto'],
     ...['balance=0.33', 'balance=2', 't=0', 't=NaN', 't=Infinity', 'no-t=1', 'udim=1', 'delaunay'],
     ...['seams=sharp', 'seams=sharp=0', 'seams=sharp=181', 'seams=uv,auto', 'seams=', 'keep=all'],
+    ...['rotate', 'rotate=false', 'no-rotate', 'up=x'],
     ...['fill-holes=maybe', 'maxStretch=1.05', 'threads=4', 'constructor=1', 'toString'],
   ]) {
     const { settings, ignored } = settingsOf(`unwrap&${word}&padding=5`);
@@ -72,14 +82,18 @@ test('what means nothing is ignored, one by one', () => {
   assert.deepEqual(settingsOf('flatten&t=3&t=0.5&udim').ignored, ['t=3', 't=0.5', 'udim']);
 });
 
-test('a mesh without UVs or materials is not cut along them', () => {
+test('a mesh without UVs, materials or normals is not cut along them', () => {
+  const NOTHING = { texcoords: 0, materials: 1, normals: 0, smoothingGroups: 0 };
   const cut = (seams, has, more) =>
-    fitting({ ...usualSettings('unwrap'), seams, ...more }, { texcoords: 0, materials: 1, ...has });
+    fitting({ ...usualSettings('unwrap'), seams, ...more }, { ...NOTHING, ...has });
   assert.equal(cut('auto,uv').seams, 'auto');
   assert.equal(cut('uv').seams, 'auto');
   assert.equal(cut('none').seams, 'none');
   assert.equal(cut('uv,material', { materials: 2 }).seams, 'material');
   assert.equal(cut('uv', { texcoords: 3 }).seams, 'uv');
+  assert.equal(cut('hard').seams, 'auto');
+  assert.equal(cut('auto,hard', { normals: 3 }).seams, 'auto,hard');
+  assert.equal(cut('hard,sharp=60', { smoothingGroups: 1 }).seams, 'hard,sharp=60');
   assert.equal(cut('auto', {}, { fixedFaces: 'uv' }).fixedFaces, undefined);
   assert.equal(cut('auto', { texcoords: 3 }, { fixedFaces: 'uv' }).fixedFaces, 'uv');
 });

@@ -95,6 +95,14 @@ EMSCRIPTEN_KEEPALIVE double* abflatTexcoords(Job* job, std::size_t size) {
   return job->mesh.texcoords.data();
 }
 
+/// Buffer for the normals of a mesh given as arrays, three per vertex or per corner of a triangle.
+/// To be called after its triangles.
+EMSCRIPTEN_KEEPALIVE double* abflatNormals(Job* job, std::size_t size, bool areOfCorners) {
+  job->mesh.normals.resize(size);
+  job->hasCornerNormals = areOfCorners;
+  return job->mesh.normals.data();
+}
+
 /// Buffer for the materials of a mesh given as arrays, one per triangle. To be called after its
 /// triangles.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatMaterials(Job* job, std::size_t size) {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "abflat/inspect.h"
@@ -12,6 +13,7 @@
 #include "abflat/texcoord_faces.h"
 #include "abflat/unit_square.h"
 #include "abflat/unwrap.h"
+#include "io/settle_normals.h"
 #include "mesh/triangulate.h"
 
 namespace abflat::bindings {
@@ -87,8 +89,15 @@ void* knownRoom(Job& job, Field field, std::size_t size) {
 namespace {
 
 /// Arrays have texcoords per vertex; a vertex without texcoord has NaN.
-Status readArrays(PolygonMesh& mesh) {
+Status readArrays(PolygonMesh& mesh, bool hasCornerNormals) {
   if (Status s = validateArrays(mesh); !s.ok()) return s;
+  if (hasCornerNormals) {
+    mesh.faceNormals.resize(mesh.faceVertices.size());
+    std::iota(mesh.faceNormals.begin(), mesh.faceNormals.end(), 0u);
+    settleNormals(mesh);
+  } else {
+    takeVertexNormals(mesh);
+  }
   if (mesh.texcoords.empty()) return {};
   mesh.faceTexcoords.reserve(mesh.faceVertices.size());
   for (const std::uint32_t v : mesh.faceVertices)
@@ -99,7 +108,7 @@ Status readArrays(PolygonMesh& mesh) {
 }  // namespace
 
 Status readInput(Job& job) {
-  if (!job.isFile) return readArrays(job.mesh);
+  if (!job.isFile) return readArrays(job.mesh, job.hasCornerNormals);
   const Result<MeshFormat> format = detectFormat(job.name, job.source);
   if (!format.ok()) return format.status;
   job.format = format.value;

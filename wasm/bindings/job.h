@@ -35,6 +35,7 @@ struct Job {
   bool isFile = false;
   MeshFormat format = MeshFormat::Obj;  ///< of the file
   PolygonMesh mesh;
+  bool hasCornerNormals = false;  ///< normals of the arrays are those of corners, not of vertices
   FlattenOptions options;
   UnwrapOptions unwrapOptions;
   std::string seams = "auto";  ///< as for parseSeams; edges are in unwrapOptions

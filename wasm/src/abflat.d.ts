@@ -9,6 +9,7 @@ export interface NativeModule {
   _abflatPositions(job: number, count: number): number;
   _abflatIndices(job: number, count: number): number;
   _abflatTexcoords(job: number, count: number): number;
+  _abflatNormals(job: number, count: number, areOfCorners: boolean): number;
   _abflatMaterials(job: number, count: number): number;
   _abflatSetOption(job: number, index: number, value: number): number;
   _abflatSetUnwrapOption(job: number, index: number, value: number): number;

@@ -42,15 +42,20 @@ export class Heap {
       return;
     }
     const native = this.#native;
-    const { positions, indices, texcoords, materials } = mesh;
+    const { positions, indices, texcoords, normals, cornerNormals, materials } = mesh;
     this.writeName(job, 'arrays');
     this.#writeReals(native._abflatPositions(job, positions.length), positions);
     this.writeNumbers(native._abflatIndices(job, indices.length), indices);
     if (texcoords) this.#writeReals(native._abflatTexcoords(job, texcoords.length), texcoords);
+    if (cornerNormals)
+      this.#writeReals(native._abflatNormals(job, cornerNormals.length, true), cornerNormals);
+    else if (normals) this.#writeReals(native._abflatNormals(job, normals.length, false), normals);
     if (materials) this.writeNumbers(native._abflatMaterials(job, materials.length), materials);
     mesh.positions = new Float64Array();
     mesh.indices = new Uint32Array();
     mesh.texcoords = undefined;
+    mesh.normals = undefined;
+    mesh.cornerNormals = undefined;
     mesh.materials = undefined;
   }
 
@@ -133,6 +138,7 @@ function bytesOf(mesh: OwnedMesh): number {
   const numbers = (array?: { length: number }) => array?.length ?? 0;
   return (
     8 * (numbers(mesh.positions) + numbers(mesh.texcoords)) +
+    8 * numbers(mesh.cornerNormals ?? mesh.normals) +
     4 * (numbers(mesh.indices) + numbers(mesh.materials))
   );
 }

@@ -57,6 +57,8 @@ function meshOf(geometry: BufferGeometry): MeshArrays {
   const mesh: MeshArrays = { positions, indices };
   const uv = geometry.getAttribute('uv') as Attribute | undefined;
   if (uv) mesh.texcoords = numbersOf(uv, 2);
+  const normal = geometry.getAttribute('normal') as Attribute | undefined;
+  if (normal) mesh.normals = numbersOf(normal, 3);
   if (geometry.groups.length > 0) mesh.materials = materialsOf(geometry, indices.length / 3);
   return mesh;
 }

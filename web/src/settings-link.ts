@@ -1,7 +1,7 @@
 import type { MeshSummary } from 'abflat';
 import { VISIT } from './base/english';
 import type { Settings } from './model/settings';
-import { choiceOf, seamWords } from './seams/seam-choice';
+import { choiceOf, offeredBy, seamWords } from './seams/seam-choice';
 import { settingsOf, textOf } from './settings-text';
 
 /** Of one word that means nothing. */
@@ -46,15 +46,20 @@ export class SettingsLink {
 }
 
 /** Without seams and UVs that the mesh does not have. */
-export function fitting(settings: Settings, { texcoords, materials }: MeshSummary): Settings {
+export function fitting(settings: Settings, summary: MeshSummary): Settings {
   if (settings.mode === 'flatten') return settings;
   const { fixedFaces, ...others } = settings;
   const { sources } = choiceOf(settings);
-  const [uv, material] = [sources.uv && texcoords > 0, sources.material && materials > 1];
-  const left = seamWords({ ...sources, uv, material });
+  const offered = offeredBy(summary);
+  const left = seamWords({
+    ...sources,
+    hard: sources.hard && offered.hard,
+    uv: sources.uv && offered.uv,
+    material: sources.material && offered.material,
+  });
   return {
     ...others,
-    ...(fixedFaces && texcoords > 0 && { fixedFaces }),
+    ...(fixedFaces && summary.texcoords > 0 && { fixedFaces }),
     seams: left === 'none' && settings.seams !== left ? 'auto' : left,
   };
 }

@@ -64,9 +64,11 @@ void completeNormals(const PolygonMesh& mesh, Appearance& out) {
 Appearance readAppearance(std::string_view bytes, MeshFormat format, const PolygonMesh& mesh,
                           const ReadResource& readResource) {
   Appearance out;
+  out.normals = mesh.normals;
+  out.faceNormals = mesh.faceNormals;
   if (hasByteOrderMark(bytes)) bytes.remove_prefix(kByteOrderMark.size());
   if (format == MeshFormat::Obj) readObjAppearance(bytes, mesh, readResource, out);
-  if (format == MeshFormat::Ply) readPlyAppearance(bytes, mesh, readResource, out);
+  if (format == MeshFormat::Ply) readPlyAppearance(bytes, readResource, out);
   makeUnit(out);
   completeNormals(mesh, out);
   makeLinear(out.colors);

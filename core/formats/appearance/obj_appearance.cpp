@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -25,11 +23,10 @@ class ObjAppearanceReader {
     ObjLine line;
     while (lines.next(line)) {
       if (line.kind == ObjLine::Kind::Vertex) vertex(line);
-      if (line.kind == ObjLine::Kind::Face) face(line);
+      if (line.kind == ObjLine::Kind::Face) ++face_;
       if (line.kind == ObjLine::Kind::Other) other(line.text, libraries);
     }
     if (!out_.colors.empty()) out_.colors.resize(4 * mesh_.vertexCount(), 1);
-    if (!out_.faceNormals.empty()) out_.faceNormals.resize(mesh_.faceVertices.size(), kNoNormal);
     if (!out_.objectNames.empty()) out_.faceObjects.resize(mesh_.faceCount(), object_);
   }
 
@@ -48,38 +45,10 @@ class ObjAppearanceReader {
     ++vertex_;
   }
 
-  void face(const ObjLine& line) {
-    std::string_view words = argumentsOf(line, storage_);
-    const auto known = static_cast<std::int64_t>(out_.normals.size() / 3);
-    for (std::string_view word = takeWord(words); !word.empty();
-         word = takeWord(words), ++corner_) {
-      const std::size_t texcoord = word.find('/');
-      if (texcoord == std::string_view::npos) continue;
-      const std::size_t normal = word.find('/', texcoord + 1);
-      std::int64_t index = 0;
-      if (normal == std::string_view::npos || !parseInteger(word.substr(normal + 1), index) ||
-          index == 0 || (index < 0 && index < -known) || index > kNoNormal)
-        continue;
-      if (out_.faceNormals.empty()) out_.faceNormals.reserve(mesh_.faceVertices.size());
-      out_.faceNormals.resize(corner_, kNoNormal);
-      out_.faceNormals.push_back(static_cast<std::uint32_t>(index > 0 ? index - 1 : known + index));
-    }
-    ++face_;
-  }
-
   void other(std::string_view line, std::vector<std::string>& libraries) {
     const std::string_view keyword = takeWord(line);
-    if (keyword == "vn") normal(restOfLine(line));
     if (keyword == "o") object(restOfLine(line));
     if (keyword == "mtllib") libraries.emplace_back(restOfLine(line));
-  }
-
-  void normal(std::string_view words) {
-    for (int d = 0; d < 3; ++d) {
-      double value = 0;
-      if (!parseDouble(takeWord(words), value)) value = std::numeric_limits<double>::quiet_NaN();
-      out_.normals.push_back(value);
-    }
   }
 
   /// Faces before the first object have one of their own.
@@ -98,7 +67,7 @@ class ObjAppearanceReader {
 
   const PolygonMesh& mesh_;
   Appearance& out_;
-  std::size_t vertex_ = 0, face_ = 0, corner_ = 0;             ///< indices of the next ones
+  std::size_t vertex_ = 0, face_ = 0;                          ///< indices of the next ones
   std::map<std::string, std::uint32_t, std::less<>> objects_;  ///< numbers by name
   std::uint32_t object_ = 0;                                   ///< of the faces to come
   std::string storage_;

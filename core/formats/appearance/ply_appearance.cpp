@@ -20,15 +20,6 @@ std::vector<std::size_t> propertiesNamed(const PlyElement& vertex,
   return out;
 }
 
-void readNormals(const PlyHeader& header, std::string_view bytes, const PolygonMesh& mesh,
-                 Appearance& out) {
-  const PlyElement& vertex = header.elements[header.vertex];
-  const std::vector<std::size_t> properties = propertiesNamed(vertex, {"nx", "ny", "nz"});
-  if (properties.empty()) return;
-  out.normals = plyColumns(header, bytes, properties);
-  out.faceNormals = mesh.faceVertices;
-}
-
 /// Integers are fractions of the largest value of their type, other numbers are taken as they are.
 double scaleOf(PlyType type) {
   return type == PlyType::Float32 || type == PlyType::Float64 ? 1 : 1 / largestWhole(type);
@@ -69,11 +60,9 @@ void readTexture(const PlyHeader& header, const ReadResource& readResource, Appe
 
 }  // namespace
 
-void readPlyAppearance(std::string_view bytes, const PolygonMesh& mesh,
-                       const ReadResource& readResource, Appearance& out) {
+void readPlyAppearance(std::string_view bytes, const ReadResource& readResource, Appearance& out) {
   const Result<PlyHeader> header = readPlyHeader(bytes, {});
   if (!header.ok()) return;  // the mesh was not read from these bytes
-  readNormals(header.value, bytes, mesh, out);
   readColors(header.value, bytes, out);
   readTexture(header.value, readResource, out);
 }

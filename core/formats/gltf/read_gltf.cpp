@@ -13,6 +13,7 @@
 #include "gltf/source.h"
 #include "gltf/transforms.h"
 #include "gltf/triangles.h"
+#include "io/settle_normals.h"
 #include "io/settle_texcoords.h"
 
 namespace abflat {
@@ -29,6 +30,25 @@ std::array<double, 3> moved(const Matrix& m, const double* p) {
   std::array<double, 3> out{};
   for (std::size_t i = 0; i < 3; ++i)
     out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i];
+  return out;
+}
+
+/// By the cofactors of the matrix, so that it stays normal to the surface; faces outwards as
+/// before, even if the matrix mirrors.
+std::array<double, 3> movedNormal(const Matrix& m, const double* n) {
+  const auto cofactor = [&](std::size_t row, std::size_t column) {
+    const std::size_t r = (row + 1) % 3, s = (row + 2) % 3;
+    const std::size_t c = 4 * ((column + 1) % 3), d = 4 * ((column + 2) % 3);
+    return m[c + r] * m[d + s] - m[d + r] * m[c + s];
+  };
+  std::array<double, 3> out{};
+  double determinant = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    determinant += m[i] * cofactor(i, 0);
+    for (std::size_t k = 0; k < 3; ++k) out[i] += cofactor(i, k) * n[k];
+  }
+  if (determinant < 0)
+    for (double& x : out) x = -x;
   return out;
 }
 
@@ -56,6 +76,7 @@ class ModelReader {
     }
     model_.mesh.faceTexcoords = model_.mesh.faceVertices;
     settleTexcoords(model_.mesh);
+    takeVertexNormals(model_.mesh);
     source_.vertexCount = static_cast<std::uint32_t>(model_.mesh.vertexCount());
     source_.faceVertices = model_.mesh.faceVertices;
     if (materials_.size() < 2 && materials_.count(kNone) == materials_.size())
@@ -181,6 +202,7 @@ class ModelReader {
       mesh.positions.insert(mesh.positions.end(), at.begin(), at.end());
     }
     addTexcoords(primitive, positions.count);
+    addNormals(primitive, positions.count, matrix);
     source_.groups.push_back(group);
     return {};
   }
@@ -214,6 +236,21 @@ class ModelReader {
     const std::vector<double> uv = numbersOf(document_, document_.accessors[found]);
     for (std::size_t i = 0; i + 1 < uv.size(); i += 2)
       out.insert(out.end(), {uv[i], 1 - uv[i + 1]});  // v of glTF points down
+  }
+
+  /// One per vertex, likewise.
+  void addNormals(const Primitive& primitive, std::size_t count, const Matrix& matrix) {
+    std::vector<double>& out = model_.mesh.normals;
+    const std::size_t found = accessorNamed(primitive.attributes, "NORMAL");
+    if (found == kNone || document_.accessors[found].shape.components() != 3) {
+      out.resize(out.size() + 3 * count, 0);  // none
+      return;
+    }
+    const std::vector<double> local = numbersOf(document_, document_.accessors[found]);
+    for (std::size_t i = 0; i + 2 < local.size(); i += 3) {
+      const std::array<double, 3> n = movedNormal(matrix, &local[i]);
+      out.insert(out.end(), n.begin(), n.end());
+    }
   }
 
   void addFaces(const std::vector<std::uint32_t>& triangles, Part& part, std::size_t material) {

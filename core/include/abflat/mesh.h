@@ -12,6 +12,9 @@ namespace abflat {
 /// Stands for "no texcoord" in faceTexcoords.
 constexpr std::uint32_t kNoTexcoord = 0xffffffffu;
 
+/// Stands for "no normal" in faceNormals.
+constexpr std::uint32_t kNoNormal = 0xffffffffu;
+
 /// Polygon mesh as the user gave it; nothing is welded, dropped or reordered.
 struct PolygonMesh {
   std::vector<double> positions;  ///< xyz per vertex, size 3V, finite
@@ -25,6 +28,10 @@ struct PolygonMesh {
   std::vector<std::uint32_t> faceTexcoords;  ///< texcoord of each face corner, or kNoTexcoord
   std::vector<std::uint32_t> faceMaterials;  ///< per face; numbered by first appearance
   std::vector<std::string> materialNames;    ///< by these numbers; empty if it has no name
+  std::vector<double> normals;               ///< xyz per shading normal, of any length
+  std::vector<std::uint32_t> faceNormals;    ///< normal of each face corner, or kNoNormal
+  std::vector<std::uint32_t> faceSmoothing;  ///< smoothing group per face, 0 = off; if no normals
+  bool isZUp = false;                        ///< z points up in such files, not y
 
   std::size_t vertexCount() const { return positions.size() / 3; }
   std::size_t faceCount() const { return faceOffsets.empty() ? 0 : faceOffsets.size() - 1; }

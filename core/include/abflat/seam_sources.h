@@ -16,13 +16,14 @@ using EdgeVertices = std::array<std::uint32_t, 2>;
 struct SeamSources {
   bool isAuto = true;             ///< cut where charts would be stretched too much or overlap
   double sharpDegrees = 180;      ///< cut along edges that bend by more than this
+  bool followsHardEdges = false;  ///< cut where shading normals differ by more than 1 degree
   bool followsTexcoords = false;  ///< cut between the uv islands that the mesh already has
   bool followsMaterials = false;  ///< cut where two materials meet
   std::vector<EdgeVertices> edges;
 };
 
-/// Parses a list of sources such as "auto,sharp=60": "auto", "uv", "material", "none" or
-/// "sharp=DEGREES", which is above 0 and at most 180. Errors: InvalidOption.
+/// Parses a list of sources such as "auto,sharp=60": "auto", "hard", "uv", "material",
+/// "none" or "sharp=DEGREES", which is above 0 and at most 180. Errors: InvalidOption.
 Result<SeamSources> parseSeams(std::string_view text);
 
 }  // namespace abflat

@@ -100,20 +100,20 @@ double smoothStep(double low, double high, double x) {
 }
 
 /// Cost of a seam where the surface bends that much, relative to its length. Nothing hides a seam
-/// in a flat face; a crease does, a concave one better.
-double costWhere(double bend, bool isConcave) {
+/// in a flat face; a crease does, a concave one better. Where shading breaks, there is a crease.
+double costWhere(double bend, bool isConcave, bool isHard) {
   constexpr double kDegree = kPi / 180;
   constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree,
                    kSharp = 75 * kDegree;
   constexpr double kOfFlat = 5, kOfBent = 0.6, kOfConvex = 0.25, kOfConcave = 0.2;
   if (bend < kFlat) return kOfFlat;
+  if (isHard) bend = std::max(bend, kBent);
   if (bend < kBent) return 1 - (1 - kOfBent) * smoothStep(kSmooth, kBent, bend);
   return kOfBent -
          (kOfBent - (isConcave ? kOfConcave : kOfConvex)) * smoothStep(kBent, kSharp, bend);
 }
 
-void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent, const Pulse& pulse) {
-  const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
+void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
   for (const SurfaceCorner h : m.corners()) {
     const SurfaceCorner o = m.twin[h];
     if (o < h) continue;
@@ -121,11 +121,22 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent, c
     m.cost[h] = m.length[h];
     if (o.exists()) {
       w += cotangent[prevCorner(o)] / 2;
-      m.length[o] = m.length[h];
-      m.cost[h] = m.cost[o] = inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h)));
+      m.cost[o] = m.length[o] = m.length[h];
     }
     m.weight[h] = inFewBits(std::clamp(w, kLeastWeight, kMostWeight));
     if (o.exists()) m.weight[o] = m.weight[h];
+  }
+}
+
+/// Costs by how much seams are in sight.
+void hideSeams(SeamMesh& m, const Pulse& pulse) {
+  const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
+  const auto isHard = [&](SurfaceCorner h) { return h < m.isHard.size() && m.isHard[h]; };
+  for (const SurfaceCorner h : m.corners()) {
+    const SurfaceCorner o = m.twin[h];
+    if (o.exists() && h < o)
+      m.cost[h] = m.cost[o] =
+          inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h), isHard(h)));
   }
 }
 
@@ -146,8 +157,11 @@ IdRange<SurfaceCorner> SeamMesh::fillingCorners() const {
 
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
-                      const IdVector<SurfaceTriangle, std::uint8_t>& scale, const Pulse& pulse) {
+                      const IdVector<SurfaceTriangle, std::uint8_t>& scale,
+                      const IdVector<SurfaceCorner, std::uint8_t>& isHard, SeamCosts costs,
+                      const Pulse& pulse) {
   SeamMesh m;
+  m.isHard = isHard;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
   m.positions = inUnitCube(positions, fans, scale);
@@ -162,7 +176,8 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
     measureTriangle(m, f, cotangent);
     pulse.beat();
   }
-  weighEdges(m, cotangent, pulse);
+  weighEdges(m, cotangent);
+  if (costs == SeamCosts::Sight) hideSeams(m, pulse);
   pulse.beat(corners);
   for (const SurfaceCorner h : isDiagonal.ids())
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();

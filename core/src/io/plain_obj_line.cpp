@@ -42,11 +42,22 @@ std::size_t sizeWithLineEnd(std::string_view text, Cursor c) {
   return static_cast<std::size_t>(c.at - text.data());
 }
 
+/// The numbers of a line that may not be finite, and maybe more; returns the size of the line.
+std::size_t takeNumbers(std::string_view text, Cursor c, double* numbers, std::size_t count) {
+  for (std::size_t d = 0; d < count; ++d) {
+    const char* const end = scanDouble(c.at, c.end, numbers[d]);
+    if (end == nullptr) return 0;
+    c.at = end;
+    if (!c.atWordEnd()) return 0;
+    c.skipBlanks();
+  }
+  return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
+}
+
 /// v, v/vt, v//vn or v/vt/vn; a slash with nothing after it means no index.
 bool takeCorner(Cursor& c, ObjCorner& corner) {
-  std::int64_t normal = 0;
   if (!takeInteger(c, corner.vertex) || corner.vertex == 0) return false;
-  for (std::int64_t* const index : {&corner.texcoord, &normal}) {
+  for (std::int64_t* const index : {&corner.texcoord, &corner.normal}) {
     if (!c.take('/')) break;
     if (!c.atWordEnd() && *c.at != '/' && !takeInteger(c, *index)) return false;
   }
@@ -62,28 +73,21 @@ std::size_t plainLine(std::string_view text) {
 
 std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point) {
   Cursor c{text.data(), text.data() + text.size()};
-  if (!takeKeyword(c, 'v')) return 0;
-  for (double& coordinate : point) {
-    const char* const end = scanDouble(c.at, c.end, coordinate);
-    if (end == nullptr || !std::isfinite(coordinate)) return 0;
-    c.at = end;
-    if (!c.atWordEnd()) return 0;
-    c.skipBlanks();
-  }
-  return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
+  const std::size_t size = takeKeyword(c, 'v') ? takeNumbers(text, c, point.data(), 3) : 0;
+  if (size == 0) return 0;
+  for (const double coordinate : point)
+    if (!std::isfinite(coordinate)) return 0;
+  return size;
 }
 
 std::size_t plainTexcoordLine(std::string_view text, std::array<double, 2>& texcoord) {
   Cursor c{text.data(), text.data() + text.size()};
-  if (!takeKeyword(c, 'v', 't')) return 0;
-  for (double& coordinate : texcoord) {
-    const char* const end = scanDouble(c.at, c.end, coordinate);
-    if (end == nullptr) return 0;
-    c.at = end;
-    if (!c.atWordEnd()) return 0;
-    c.skipBlanks();
-  }
-  return skipPlain(c) ? sizeWithLineEnd(text, c) : 0;
+  return takeKeyword(c, 'v', 't') ? takeNumbers(text, c, texcoord.data(), 2) : 0;
+}
+
+std::size_t plainNormalLine(std::string_view text, std::array<double, 3>& normal) {
+  Cursor c{text.data(), text.data() + text.size()};
+  return takeKeyword(c, 'v', 'n') ? takeNumbers(text, c, normal.data(), 3) : 0;
 }
 
 std::size_t plainFaceLine(std::string_view text, std::vector<ObjCorner>& corners) {

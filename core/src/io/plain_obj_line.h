@@ -24,10 +24,14 @@ std::size_t plainVertexLine(std::string_view text, std::array<double, 3>& point)
 /// and returns the size of the line including its end.
 std::size_t plainTexcoordLine(std::string_view text, std::array<double, 2>& texcoord);
 
+/// The same for a line "vn x y z".
+std::size_t plainNormalLine(std::string_view text, std::array<double, 3>& normal);
+
 /// A corner of a face, with indices as written: counted from 1, or backwards from the end.
 struct ObjCorner {
   std::int64_t vertex = 0;    ///< never 0
   std::int64_t texcoord = 0;  ///< 0: none
+  std::int64_t normal = 0;    ///< 0: none
 };
 
 /// If `text` begins with a line "f ..." of 3 or more corners, appends them and returns the size of

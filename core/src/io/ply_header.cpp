@@ -169,6 +169,9 @@ class HeaderReader {
         return here(std::string("element 'vertex' has no scalar property '") + name + "'");
     }
     if (e.count > 0xffffffff) return here("more than 4294967295 vertices are not supported");
+    const std::array<std::size_t, 3> normal = {e.find("nx"), e.find("ny"), e.find("nz")};
+    const auto isNumber = [&](std::size_t p) { return p != kNoIndex && !e.properties[p].isList; };
+    if (std::all_of(normal.begin(), normal.end(), isNumber)) header_.normal = normal;
     for (const auto& [u, v] : kPlyTexcoordNames) {
       const std::size_t first = e.find(u), second = e.find(v);
       if (header_.u != kNoIndex || first == kNoIndex || second == kNoIndex) continue;

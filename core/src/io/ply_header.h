@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -52,7 +53,8 @@ struct PlyHeader {
   std::size_t face = kNoIndex;      ///< element; kNoIndex in a point cloud
   bool hasStrips = false;           ///< `face` is made of triangle strips, which -1 ends
   std::size_t x = 0, y = 0, z = 0;  ///< properties of a vertex
-  std::size_t corners = kNoIndex;   ///< property of a face or strip: the list of its vertices
+  std::array<std::size_t, 3> normal = {kNoIndex, kNoIndex, kNoIndex};  ///< nx, ny, nz; all or none
+  std::size_t corners = kNoIndex;  ///< property of a face or strip: the list of its vertices
 
   // Properties that hold texcoords; kNoIndex if there are none.
   std::size_t u = kNoIndex, v = kNoIndex;  ///< of a vertex; unused if corners have texcoords

@@ -11,6 +11,7 @@
 #include "io/obj_lines.h"
 #include "io/parse_error.h"
 #include "io/plain_obj_line.h"
+#include "io/settle_normals.h"
 #include "io/settle_texcoords.h"
 #include "io/text_lines.h"
 
@@ -23,8 +24,8 @@ bool isMicrosoftNan(std::string_view comment) {
          beginsWith(comment, "#IND") || beginsWith(comment, "#INF");
 }
 
-/// Takes vertices, faces, texcoords and materials from an OBJ text. Rejects malformed input, except
-/// that a malformed texcoord counts as none.
+/// Takes vertices, faces, texcoords, normals, smoothing groups and materials from an OBJ text.
+/// Rejects malformed input, except that a malformed texcoord or normal counts as none.
 class ObjReader {
  public:
   explicit ObjReader(std::string_view fileName) : fileName_(fileName) {}
@@ -45,6 +46,8 @@ class ObjReader {
           std::string(fileName_) +
               (text.empty() ? ": the file is empty" : " contains no mesh (no v or f lines)")};
     settleTexcoords(mesh_);
+    if (hasSmoothing_) mesh_.faceSmoothing.resize(mesh_.faceCount(), smoothing_);
+    settleNormals(mesh_);
     if (!materials_.empty()) mesh_.faceMaterials.resize(mesh_.faceCount(), material_);
     return std::move(mesh_);
   }
@@ -81,18 +84,45 @@ class ObjReader {
       lines.skipLine(size);
       return {};
     }
-    if (beginsWith(lines.rest(), "vn "))
-      if (const std::size_t size = plainLine(lines.rest()); size > 0) {
-        lines.skipLine(size);
-        return {};
-      }
+    std::array<double, 3> normal;
+    if (const std::size_t size = plainNormalLine(lines.rest(), normal); size > 0) {
+      if (mesh_.normals.empty()) mesh_.normals.reserve(mesh_.positions.size());
+      mesh_.normals.insert(mesh_.normals.end(), normal.begin(), normal.end());
+      lines.skipLine(size);
+      return {};
+    }
     ObjLine line;
     lines.next(line);
     if (line.kind == ObjLine::Kind::Vertex) return vertex(line);
     if (line.kind == ObjLine::Kind::Face) return face(line);
     if (line.kind == ObjLine::Kind::Texcoord) texcoord(line);
-    if (line.kind == ObjLine::Kind::Other) material(line.text);
+    if (line.kind == ObjLine::Kind::Other) other(line);
     return {};
+  }
+
+  void other(const ObjLine& line) {
+    std::string_view rest = line.text;
+    const std::string_view keyword = takeWord(rest);
+    if (keyword == "vn") normal(line.arguments);
+    if (keyword == "s") smoothing(line.arguments);
+    if (keyword == "usemtl") material(restOfLine(rest));
+  }
+
+  void normal(std::string_view words) {
+    for (int d = 0; d < 3; ++d) {
+      double value = 0;
+      if (!parseDouble(takeWord(words), value)) value = std::numeric_limits<double>::quiet_NaN();
+      mesh_.normals.push_back(value);
+    }
+  }
+
+  /// Faces before the first `s` are in no group, which is also called 0 or off.
+  void smoothing(std::string_view words) {
+    mesh_.faceSmoothing.resize(mesh_.faceCount(), smoothing_);
+    hasSmoothing_ = true;
+    std::int64_t number = 0;
+    const bool isGroup = parseInteger(takeWord(words), number) && number > 0 && number < 0xffffffff;
+    smoothing_ = isGroup ? static_cast<std::uint32_t>(number) : 0;
   }
 
   /// The second coordinate may be omitted.
@@ -109,9 +139,7 @@ class ObjReader {
   }
 
   /// Names may contain blanks and #. Faces before the first `usemtl` have a material of their own.
-  void material(std::string_view line) {
-    if (takeWord(line) != "usemtl") return;
-    const std::string_view name = restOfLine(line);
+  void material(std::string_view name) {
     if (materials_.empty() && mesh_.faceCount() > 0) {
       mesh_.faceMaterials.assign(mesh_.faceCount(), 0);
       materials_.emplace("", 0);
@@ -168,24 +196,31 @@ class ObjReader {
   /// Takes the corners of one face, whose vertices are in the file already or may follow.
   void appendFace() {
     const std::int64_t known = knownVertices();
-    bool hasTexcoords = false;
-    for (const auto& [v, vt] : corners_) {
+    bool hasTexcoords = false, hasNormals = false;
+    for (const auto& [v, vt, vn] : corners_) {
       mesh_.faceVertices.push_back(static_cast<std::uint32_t>(v > 0 ? v - 1 : known + v));
       hasTexcoords = hasTexcoords || vt != 0;
+      hasNormals = hasNormals || vn != 0;
     }
-    if (hasTexcoords) appendTexcoords();
+    if (hasTexcoords)
+      appendIndices(&ObjCorner::texcoord, mesh_.texcoords.size() / 2, mesh_.faceTexcoords);
+    if (hasNormals) appendIndices(&ObjCorner::normal, mesh_.normals.size() / 3, mesh_.faceNormals);
     mesh_.faceOffsets.push_back(static_cast<std::uint32_t>(mesh_.faceVertices.size()));
   }
 
-  void appendTexcoords() {
-    if (mesh_.faceTexcoords.empty()) mesh_.faceTexcoords.reserve(mesh_.faceVertices.capacity());
+  /// Appends texcoords or normals of the corners of a face, of which `known` are in the file so
+  /// far.
+  void appendIndices(std::int64_t ObjCorner::*index, std::size_t known,
+                     std::vector<std::uint32_t>& out) const {
+    static_assert(kNoTexcoord == kNoNormal, "both mean none");
+    if (out.empty()) out.reserve(mesh_.faceVertices.capacity());
     // Earlier faces may have had none.
-    mesh_.faceTexcoords.resize(mesh_.faceVertices.size() - corners_.size(), kNoTexcoord);
-    const auto known = static_cast<std::int64_t>(mesh_.texcoords.size() / 2);
+    out.resize(mesh_.faceVertices.size() - corners_.size(), kNoTexcoord);
     for (const ObjCorner& corner : corners_) {
-      const std::int64_t t = corner.texcoord > 0 ? corner.texcoord - 1 : known + corner.texcoord;
-      const bool isIndex = corner.texcoord != 0 && t >= 0 && t < kNoTexcoord;
-      mesh_.faceTexcoords.push_back(isIndex ? static_cast<std::uint32_t>(t) : kNoTexcoord);
+      const std::int64_t given = corner.*index;
+      const std::int64_t i = given > 0 ? given - 1 : static_cast<std::int64_t>(known) + given;
+      const bool isIndex = given != 0 && i >= 0 && i < kNoTexcoord;
+      out.push_back(isIndex ? static_cast<std::uint32_t>(i) : kNoTexcoord);
     }
   }
 
@@ -204,6 +239,7 @@ class ObjReader {
         return malformed();
       if (part == 0) corner.vertex = value;
       if (part == 1) corner.texcoord = value;
+      if (part == 2) corner.normal = value;
       if (slash == rest.size()) break;
       rest.remove_prefix(slash + 1);
     }
@@ -236,7 +272,9 @@ class ObjReader {
   std::vector<ObjCorner> corners_;                               ///< of one face
   std::map<std::string, std::uint32_t, std::less<>> materials_;  ///< numbers by name
   std::uint32_t material_ = 0;                                   ///< of the faces to come
-  std::int64_t largestIndex_ = 0;                                ///< of all faces, counted from 1
+  std::uint32_t smoothing_ = 0;                                  ///< likewise
+  bool hasSmoothing_ = false;
+  std::int64_t largestIndex_ = 0;  ///< of all faces, counted from 1
   std::size_t largestIndexLine_ = 0;
 };
 

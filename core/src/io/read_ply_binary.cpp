@@ -9,6 +9,7 @@
 #include "io/ply_row.h"
 #include "io/ply_texcoords.h"
 #include "io/read_ply.h"
+#include "io/settle_normals.h"
 #include "io/triangle_strip.h"
 
 namespace abflat {
@@ -47,6 +48,7 @@ class BinaryReader {
                       std::string(fileName_) + ": the file has " + std::to_string(room()) +
                           " bytes after the last element that its header declares"};
     finishTexcoords(header_, mesh_);
+    takeVertexNormals(mesh_);
     return std::move(mesh_);
   }
 
@@ -102,6 +104,7 @@ class BinaryReader {
   Status vertices() {
     mesh_.positions.reserve(3 * rows());
     if (hasUv()) mesh_.texcoords.reserve(2 * rows());
+    if (hasNormal()) mesh_.normals.reserve(3 * rows());
     // All rows have the same size, so the numbers are read at fixed offsets.
     std::size_t offsets[kNumbers] = {};
     for (std::size_t d = 0; d < kNumbers; ++d)
@@ -120,21 +123,25 @@ class BinaryReader {
           return here(std::string("coordinate ") + "xyz"[d] + " is not finite");
         mesh_.positions.push_back(value);
       }
-      for (std::size_t d = 3; hasUv() && d < kNumbers; ++d)
+      for (std::size_t d = 3; hasUv() && d < 5; ++d)
         mesh_.texcoords.push_back(
+            loadNumber(numbers[d], element_->properties[property(d)].type, isBigEndian_));
+      for (std::size_t d = 5; hasNormal() && d < kNumbers; ++d)
+        mesh_.normals.push_back(
             loadNumber(numbers[d], element_->properties[property(d)].type, isBigEndian_));
       at_ = next;
     }
     return {};
   }
 
-  /// Numbers read per vertex: x, y, z, u, v.
-  static constexpr std::size_t kNumbers = 5;
+  /// Numbers read per vertex: x, y, z, u, v, nx, ny, nz.
+  static constexpr std::size_t kNumbers = 8;
   std::size_t property(std::size_t d) const {
-    const std::size_t of[kNumbers] = {header_.x, header_.y, header_.z, header_.u, header_.v};
-    return of[d];
+    const std::size_t of[5] = {header_.x, header_.y, header_.z, header_.u, header_.v};
+    return d < 5 ? of[d] : header_.normal[d - 5];
   }
   bool hasUv() const { return header_.u != kNoIndex; }
+  bool hasNormal() const { return header_.normal[0] != kNoIndex; }
 
   /// For a vertex with lists: finds its numbers and the next row.
   Status scanRow(const char* (&numbers)[kNumbers], const char*& next) {

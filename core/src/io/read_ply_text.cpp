@@ -9,6 +9,7 @@
 #include "io/ply_texcoords.h"
 #include "io/ply_value.h"
 #include "io/read_ply.h"
+#include "io/settle_normals.h"
 #include "io/text_cursor.h"
 #include "io/text_lines.h"
 #include "io/triangle_strip.h"
@@ -48,6 +49,7 @@ class TextReader {
     }
     if (nextRow(words)) return here("the file goes on after the last row that its header declares");
     finishTexcoords(header_, mesh_);
+    takeVertexNormals(mesh_);
     return std::move(mesh_);
   }
 
@@ -84,7 +86,7 @@ class TextReader {
   bool takePlainVertex() {
     if (element_->hasLists) return false;
     TextCursor c{rest_.data(), rest_.data() + rest_.size()};
-    double xyz[3], uv[2];
+    double xyz[3], uv[2], normal[3];
     for (std::size_t p = 0; p < element_->properties.size(); ++p) {
       c.skipBlanks();
       if (c.atLineEnd()) return false;
@@ -94,8 +96,9 @@ class TextReader {
         if (end == nullptr || !std::isfinite(xyz[d])) return false;
         c.at = end;
         if (!c.atWordEnd()) return false;
-      } else if (p == header_.u || p == header_.v) {
-        const char* const end = scanDouble(c.at, c.end, uv[p == header_.u ? 0 : 1]);
+      } else if (const std::size_t n = normalAxis(p); n < 3 || p == header_.u || p == header_.v) {
+        double& number = n < 3 ? normal[n] : uv[p == header_.u ? 0 : 1];
+        const char* const end = scanDouble(c.at, c.end, number);
         if (end == nullptr) return false;
         c.at = end;
         if (!c.atWordEnd()) return false;
@@ -106,6 +109,7 @@ class TextReader {
     if (!takeRowEnd(c)) return false;
     mesh_.positions.insert(mesh_.positions.end(), xyz, xyz + 3);
     if (readsUv()) mesh_.texcoords.insert(mesh_.texcoords.end(), uv, uv + 2);
+    if (readsNormal()) mesh_.normals.insert(mesh_.normals.end(), normal, normal + 3);
     return true;
   }
 
@@ -168,12 +172,15 @@ class TextReader {
     const std::size_t at = mesh_.positions.size(), uvAt = mesh_.texcoords.size();
     mesh_.positions.resize(at + 3);
     if (readsUv()) mesh_.texcoords.resize(uvAt + 2);
+    if (readsNormal()) mesh_.normals.resize(at + 3);
     for (std::size_t p = 0; p < element_->properties.size(); ++p) {
       const bool isWanted = p == header_.x || p == header_.y || p == header_.z;
-      if (p == header_.u || p == header_.v) {
+      if (const std::size_t n = normalAxis(p); n < 3 || p == header_.u || p == header_.v) {
         const std::string_view word = takeWord(words);
         if (word.empty()) return missing(element_->properties[p]);
-        mesh_.texcoords[uvAt + (p == header_.u ? 0 : 1)] = numberOrNone(word);
+        double& number =
+            n < 3 ? mesh_.normals[at + n] : mesh_.texcoords[uvAt + (p == header_.u ? 0 : 1)];
+        number = numberOrNone(word);
         continue;
       }
       if (!isWanted) {
@@ -193,8 +200,16 @@ class TextReader {
   }
 
   bool readsUv() const { return header_.u != kNoIndex; }
+  bool readsNormal() const { return header_.normal[0] != kNoIndex; }
 
-  /// A texcoord; NaN if the word is not a number.
+  /// 0 to 2 if the property is nx, ny or nz, otherwise 3.
+  std::size_t normalAxis(std::size_t property) const {
+    std::size_t axis = 0;
+    while (axis < 3 && header_.normal[axis] != property) ++axis;
+    return axis;
+  }
+
+  /// A number of a texcoord or normal; NaN if the word is not a number.
   static double numberOrNone(std::string_view word) {
     double value = 0;
     return parseDouble(word, value) ? value : std::numeric_limits<double>::quiet_NaN();

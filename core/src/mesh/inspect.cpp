@@ -23,6 +23,9 @@ MeshSummary inspect(const PolygonMesh& mesh, const Pulse& pulse) {
   if (!summary.disk.ok()) return summary;
   summary = buildSurface(mesh, pulse).summary;
   summary.texcoords = mesh.texcoords.size() / 2;
+  summary.normals = mesh.normals.size() / 3;
+  const std::set<std::uint32_t> groups(mesh.faceSmoothing.begin(), mesh.faceSmoothing.end());
+  summary.smoothingGroups = groups.size();
   const std::set<std::uint32_t> materials(mesh.faceMaterials.begin(), mesh.faceMaterials.end());
   summary.materials = materials.size();
   return summary;

@@ -187,7 +187,8 @@ std::vector<std::uint32_t> turnedCorners(const PolygonMesh& mesh,
 
 void turnFaces(const std::vector<std::uint32_t>& faces, PolygonMesh& mesh) {
   for (const std::uint32_t f : faces)
-    for (std::vector<std::uint32_t>* values : {&mesh.faceVertices, &mesh.faceTexcoords})
+    for (std::vector<std::uint32_t>* values :
+         {&mesh.faceVertices, &mesh.faceTexcoords, &mesh.faceNormals})
       if (!values->empty())
         std::reverse(values->begin() + mesh.faceOffsets[f] + 1,
                      values->begin() + mesh.faceOffsets[f + 1]);

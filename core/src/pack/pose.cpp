@@ -81,6 +81,12 @@ Poses::Poses(const Pose& base, int count, const std::vector<PlanePoint>& hull)
   for (int k = 0; 4 * k < count; ++k) first_.push_back(turned(base, k, count, hull));
 }
 
+void Poses::addFirst(const Pose& pose, const std::vector<PlanePoint>& hull) {
+  first_.insert(first_.begin(), turned(pose, 0, 4, hull));
+  count_ += 4;
+  hasAdded_ = true;
+}
+
 Pose Poses::operator[](std::size_t i) const {
   Pose out = first_[i % first_.size()];
   for (std::size_t k = first_.size(); k <= i; k += first_.size()) out = quarterTurned(out);

@@ -31,6 +31,7 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     m.angle.push_back(mesh.angle[h]);
     m.length.push_back(mesh.length[h]);
     m.cost.push_back(mesh.cost[h]);
+    if (!mesh.isHard.empty()) m.isHard.push_back(h < mesh.isHard.size() && mesh.isHard[h]);
     m.weight.push_back(mesh.weight[h]);
     m.vertexArea[vertex[v]] += mesh.area[triangleOf(h)] / 3;
     m.angleSum[vertex[v]] += mesh.angle[h];

@@ -114,7 +114,7 @@ void Finder::analyse() {
   else
     ranks = part_.ofVertices(known);
   scale_ = std::make_unique<LogScale>(*mesh_, options_.pool, std::move(ranks));
-  if (isWhole()) known = scale_->eliminationRanks();
+  if (isWhole() && known.empty()) known = scale_->eliminationRanks();
   report_.analysisSeconds += watch.lap();
 }
 

@@ -62,6 +62,8 @@ class SymmetricFinder {
     if (!best) report.asymmetry = Asymmetry::NoSeams;
     if (!best || !(isForced || isPreferable(*best))) return;
     seams = std::move(best->seams);
+    // A chart must be solved in the same order whenever it is found.
+    best->report.eliminationRanks = std::move(report.eliminationRanks);
     report = std::move(best->report);
     report.mirror = mirror;
   }
@@ -69,9 +71,10 @@ class SymmetricFinder {
  private:
   /// Mirrored share of seams that are symmetric but for a few edges.
   static constexpr double kSymmetric = 0.95;
-  /// How much more symmetric seams may cost, and how many charts more there may be.
+  /// How much more symmetric seams may cost, and how many charts more there may be: one on either
+  /// side.
   static constexpr double kDearer = 1.1;
-  static constexpr std::uint32_t kMoreCharts = 1;
+  static constexpr std::uint32_t kMoreCharts = 2;
 
   /// Seams to begin with, besides those in the plane: those found before, with one side replaced
   /// by the image of the other one, or those of one side if it is a surface of its own.
@@ -118,7 +121,8 @@ class SymmetricFinder {
 
   double priceOf(const Seams& seams, const SeamReport& report) const {
     const IdVector<SurfaceTriangle, CutChartId> all(mesh_.triangleCount(), CutChartId(0));
-    return costOfParts(mesh_, seams, report.scale, options_.maxStretch, all, 1).front();
+    return costOfParts(mesh_, seams, report.scale, options_.maxStretch, all, 1, options_.prices)
+        .front();
   }
 
   Seams seamsOfHalf(const SeamPart& half, const EliminationRanks& ranks) const {
@@ -165,7 +169,7 @@ class CreaseFinder {
 
   IdVector<CutChartId, double> costs(const Seams& seams, const LogScales& u) const {
     return costOfParts(mesh_, seams, u, options_.maxStretch, whole_.chartOfTriangle,
-                       whole_.charts.size());
+                       whole_.charts.size(), options_.prices);
   }
 
   void takeCheaper(const SeamPart& part, const Seams& found, const SeamReport& own, Seams& seams,

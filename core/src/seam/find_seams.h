@@ -7,6 +7,7 @@
 #include "abflat/generated/unwrap_options.h"
 #include "base/parallel.h"
 #include "cut/cut_surface.h"
+#include "seam/seam_value.h"
 #include "seam/mirror.h"
 
 namespace abflat {
@@ -25,6 +26,7 @@ struct SeamOptions {
   /// Parts that are disks before anything is cut stay whole, however much they are distorted.
   bool keepDisks = false;
   EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are computed
+  SeamPrices prices;
   Mirror mirror;  ///< what seams are kept symmetric to, where they can be; none: nothing
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened

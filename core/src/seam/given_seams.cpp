@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/stable_order.h"
-#include "mesh/triangle_geometry.h"
+#include "seam/bend.h"
 
 namespace abflat {
 namespace {
@@ -11,19 +11,6 @@ namespace {
 EdgeVertices sorted(EdgeVertices e) {
   if (e[0] > e[1]) std::swap(e[0], e[1]);
   return e;
-}
-
-Vec3 normalOf(const PolygonMesh& mesh, const Surface& surface, SurfaceTriangle f) {
-  const std::array<std::uint32_t, 3> v = verticesOf(surface.table.vertex, f);
-  Vec3 n = cross(edgeVector(mesh.positions, v[0], v[1]), edgeVector(mesh.positions, v[0], v[2]));
-  const double length = norm(n);
-  for (double& x : n) x = length > 0 ? x / length : 0;
-  return n;
-}
-
-/// Angle between the normals, in degrees; 0 if a triangle has no normal.
-double bend(const Vec3& a, const Vec3& b) {
-  return portable::atan2(norm(cross(a, b)), dot(a, b)) * (180 / kPi);
 }
 
 void mark(const Surface& surface, SurfaceCorner h, Seams& seams) {
@@ -42,13 +29,20 @@ void forEachInnerEdge(const Surface& surface, const Visit& visit) {
 
 void markSharp(const SurfaceMap& map, double degrees, Seams& seams) {
   const Surface& surface = map.surface();
-  const PolygonMesh& mesh = map.welded().mesh;
   forEachInnerEdge(surface, [&](SurfaceCorner h, SurfaceCorner twin) {
     if (surface.triangulation.isDiagonal[h]) return;
-    const Vec3 a = normalOf(mesh, surface, triangleOf(h));
-    const Vec3 b = normalOf(mesh, surface, triangleOf(twin));
-    if (bend(a, b) > degrees) mark(surface, h, seams);
+    const Vec3 a = facetNormal(map, triangleOf(h)), b = facetNormal(map, triangleOf(twin));
+    if (bendBetween(a, b) > degrees) mark(surface, h, seams);
   });
+}
+
+Status markHard(const Seams& hard, Seams& seams) {
+  if (hard.empty())
+    return {StatusCode::InvalidOption,
+            "the mesh has neither normals nor smoothing groups that say which edges are hard; the "
+            "normals of STL facets do not. Use sharp=30 in place of hard"};
+  for (const SurfaceCorner h : hard.ids()) seams[h] = seams[h] || hard[h];
+  return {};
 }
 
 /// Compares values, since files may list a texcoord several times. A missing texcoord counts as a
@@ -141,9 +135,11 @@ bool hasSameTexcoords(const CornerTexcoords& given, const SurfaceMap& map, Surfa
          hasSameTexcoord(given, map.corner(nextCorner(h)), map.corner(twin));
 }
 
-Result<Seams> givenSeams(const SurfaceMap& map, const SeamSources& sources) {
+Result<Seams> givenSeams(const SurfaceMap& map, const SeamSources& sources, const Seams& hard) {
   Seams seams(map.surface().table.vertex.size(), 0);
   if (sources.sharpDegrees < 180) markSharp(map, sources.sharpDegrees, seams);
+  if (sources.followsHardEdges)
+    if (Status s = markHard(hard, seams); !s.ok()) return s;
   if (sources.followsTexcoords)
     if (Status s = markIslands(map, seams); !s.ok()) return s;
   if (sources.followsMaterials)

@@ -6,9 +6,9 @@
 
 namespace abflat {
 
-/// The seams that the user asks for. Errors: InvalidOption, naming an edge that does not exist, or
-/// what the mesh lacks.
-Result<Seams> givenSeams(const SurfaceMap& map, const SeamSources& sources);
+/// The seams that the user asks for. `hard`: the hard edges. Errors: InvalidOption, naming an edge
+/// that does not exist, or what the mesh lacks.
+Result<Seams> givenSeams(const SurfaceMap& map, const SeamSources& sources, const Seams& hard);
 
 /// Texcoords of the input's face corners.
 struct CornerTexcoords {

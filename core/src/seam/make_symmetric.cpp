@@ -51,7 +51,9 @@ class SymmetryMaker {
     LogScales u = work_.scale.solve(s, {});
     if (u.empty() || !areFine(s, u)) return {};
     const IdVector<SurfaceTriangle, CutChartId> all(mesh_.triangleCount(), CutChartId(0));
-    const double cost = costOfParts(mesh_, seams, u, work_.options.maxStretch, all, 1).front();
+    const double cost =
+        costOfParts(mesh_, seams, u, work_.options.maxStretch, all, 1, work_.options.prices)
+            .front();
     return Symmetric{std::move(seams), std::move(u), cost};
   }
 

@@ -381,7 +381,7 @@ class Merger {
 
   /// Whether joining charts along runs is worth what it stretches them.
   bool isWorth(const Trial& trial, const RunsTogether& runs) const {
-    const SeamPrices prices;
+    const SeamPrices& prices = options_.prices;
     const CutChartId whole = wholeOf(trial, runs.front());
     const double all = trial.joined.charts[whole].area;
     const auto costOf = [&](const CutSurface& s, const Prediction& told, CutChartId c) {

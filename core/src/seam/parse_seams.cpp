@@ -6,8 +6,8 @@ namespace {
 
 Status wrong(std::string_view word) {
   return {StatusCode::InvalidOption, "'" + std::string(word) +
-                                         "' is not auto, uv, material, none or sharp=DEGREES with "
-                                         "degrees above 0 and at most 180"};
+                                         "' is not auto, hard, uv, material, none or sharp=DEGREES "
+                                         "with degrees above 0 and at most 180"};
 }
 
 }  // namespace
@@ -25,6 +25,8 @@ Result<SeamSources> parseSeams(std::string_view text) {
     if (!isLast) text.remove_prefix(comma + 1);
     if (word == "auto")
       out.isAuto = true;
+    else if (word == "hard")
+      out.followsHardEdges = true;
     else if (word == "uv")
       out.followsTexcoords = true;
     else if (word == "material")

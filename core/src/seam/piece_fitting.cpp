@@ -75,7 +75,7 @@ bool PieceFitting::fitInto(double side, double mostCost, int& tries) {
 bool PieceFitting::fits(double side) { return missingArea(placed(side, 0)) == 0; }
 
 std::vector<LongChart> PieceFitting::longCharts() const {
-  constexpr double kLong = 12;  // times as long as wide
+  constexpr double kLong = 10;  // the square of half the outline, relative to the area: 8 by 1
   std::vector<LongChart> out;
   for (const CutChartId chart : flat_.surface.charts.ids()) {
     const PieceId p(std::uint32_t{chart});

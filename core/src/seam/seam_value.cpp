@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seam/prediction.h"
-
 namespace abflat {
 
 double SeamPrices::ofStretch(double s) const {
@@ -13,11 +11,22 @@ double SeamPrices::ofStretch(double s) const {
   return stretch * x + inexact * std::min(1.0, std::sqrt(x / kInexact));
 }
 
+double costOfAll(const SeamMesh& mesh, const Seams& seams, const CutSurface& s,
+                 const Prediction& told, const SeamPrices& prices) {
+  double cost = 0, stretch = 0, area = 0;
+  for (const SurfaceCorner h : seams.ids())
+    if (seams[h] && mesh.isOnSurface(h)) cost += mesh.cost[h] / 2;
+  for (const CutChartId c : s.charts.ids()) {
+    area += s.charts[c].area;
+    stretch += s.charts[c].area * prices.ofStretch(told.stretch[c]);
+  }
+  return area > 0 ? cost / std::sqrt(area) + stretch / area : 0;
+}
+
 IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seams,
                                          const LogScales& u, double maxStretch,
                                          const IdVector<SurfaceTriangle, CutChartId>& partOf,
-                                         std::size_t parts) {
-  const SeamPrices prices;
+                                         std::size_t parts, const SeamPrices& prices) {
   constexpr double kBeyondBound = 10;  // times as bad
   IdVector<CutChartId, double> out(parts, 0);
   IdVector<CutChartId, double> area(parts, 0);

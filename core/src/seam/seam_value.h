@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cut/cut_surface.h"
+#include "seam/prediction.h"
 
 namespace abflat {
 
@@ -11,8 +12,15 @@ struct SeamPrices {
   double stretch = 5;   ///< of the conformal stretch of a chart, for what it exceeds 1 by
   double inexact =
       0.8;  ///< of a chart that is not exact, so that nearly free seams are taken for it
+  double unseen = 0.6;  ///< saved where the surface sees nothing but itself
   double ofStretch(double stretch) const;
+  /// Only lengths count.
+  static SeamPrices none() { return {0, 0, 0, 0}; }
 };
+
+/// What seams and the stretch of charts cost in all, but not the number of charts.
+double costOfAll(const SeamMesh& mesh, const Seams& seams, const CutSurface& surface,
+                 const Prediction& told, const SeamPrices& prices);
 
 /// Per part of the mesh, what its seams, charts and stretch cost, relative to its own size.
 /// `partOf`: the part of each triangle; no chart is in several parts. A chart above `maxStretch`
@@ -20,6 +28,6 @@ struct SeamPrices {
 IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seams,
                                          const LogScales& u, double maxStretch,
                                          const IdVector<SurfaceTriangle, CutChartId>& partOf,
-                                         std::size_t parts);
+                                         std::size_t parts, const SeamPrices& prices);
 
 }  // namespace abflat

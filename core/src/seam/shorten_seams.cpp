@@ -168,7 +168,7 @@ class Shortener {
 
   /// What it costs to stretch a chart more than now.
   double priceOf(CutChartId c, double stretch) const {
-    const SeamPrices prices;
+    const SeamPrices& prices = work_.options.prices;
     return (prices.ofStretch(stretch) - prices.ofStretch(prediction_.stretch[c])) *
            std::sqrt(surface_.charts[c].area);
   }

@@ -27,7 +27,7 @@ struct RoomWish {
 constexpr double kMostUtilization = 0.92;
 
 RoomWish wishOf(const UnwrapOptionValues& options) {
-  constexpr double kSeamWorth = 0.06;
+  constexpr double kSeamWorth = 0.04;
   // What lies well is not cut where that would be in plain sight.
   constexpr double kAlongFeatures = 0.5;
   if (options.minUtilization == kAutoMinUtilization)

@@ -41,6 +41,7 @@ struct UncutSurface {
 /// Where the surface has to be cut, whatever else is found.
 struct AskedCuts {
   const Seams& seams;
+  const Seams& hard;  ///< hard edges, cut or not; empty if unknown
   const Scales& scales;
   const FixedTriangles& fixed;
 };

@@ -16,6 +16,7 @@
 #include "mesh/surface_map.h"
 #include "mesh/triangle_geometry.h"
 #include "seam/given_seams.h"
+#include "seam/hard_edges.h"
 #include "seam/scale_seams.h"
 #include "unwrap/atlas.h"
 #include "unwrap/certificate.h"
@@ -81,8 +82,17 @@ class Unwrapping {
  private:
   SurfaceMap map() const { return {input_, welded_, surface_}; }
   CutMesh cutMesh() const { return {map(), charts_.set}; }
+  std::size_t upAxis() const {
+    return options_.up == Up::Z || (options_.up == Up::Auto && input_.isZUp) ? 2 : 1;
+  }
   PackedCharts packedCharts() {
-    return {unit_, *pool_, charts_, packing_, densitiesOf(cutMesh(), options_.faceDensities)};
+    return {unit_,
+            welded_.mesh.positions,
+            upAxis(),
+            *pool_,
+            charts_,
+            packing_,
+            densitiesOf(cutMesh(), options_.faceDensities)};
   }
 
   Status checkInput() const {
@@ -125,7 +135,8 @@ class Unwrapping {
   }
 
   Status cut() {
-    Result<Seams> given = givenSeams(map(), options_.seams);
+    const Seams hard = hardEdges(map());
+    Result<Seams> given = givenSeams(map(), options_.seams, hard);
     if (!given.ok()) return given.status;
     Scales scales;
     if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
@@ -136,7 +147,7 @@ class Unwrapping {
     if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
     Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
-        {welded_, unit_, surface_}, {given.value, scales, fixed_}, options_, *pool_,
+        {welded_, unit_, surface_}, {given.value, hard, scales, fixed_}, options_, *pool_,
         [&] { return monitor_.tell(kSeams, search.next()); }, report_.seams, report_.notes);
     surface_.fans = Fans();
     monitor_.tellAgain();
@@ -267,9 +278,7 @@ class Unwrapping {
   }
 
   /// What lies nearer to another part of its chart than the padding.
-  IdVector<ChartId, NearParts> nearParts() {
-    return nearPartsOf(packedCharts(), welded_.mesh.positions, options_);
-  }
+  IdVector<ChartId, NearParts> nearParts() { return nearPartsOf(packedCharts(), options_); }
 
   /// Cuts charts whose parts are too near each other, and packs again, unless that does not fit.
   Status keepPartsApart() {

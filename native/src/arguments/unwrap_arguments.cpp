@@ -104,7 +104,8 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   sub->add_option_function<std::string>(
          "--seams", [&c](const std::string& text) { setSeams(text, c); },
          wrapped("where to cut, separated by commas: auto = where a chart would stretch too much "
-                 "or overlap; uv = around the uv islands of the mesh; material = between "
+                 "or overlap; hard = every edge where the shading normals or smoothing groups of "
+                 "the file break; uv = around the uv islands of the mesh; material = between "
                  "materials; sharp=DEGREES = edges that bend by more; file=PATH = edges in a text "
                  "file, one 'VERTEX VERTEX' per line, numbered from 0; none = only the cuts that "
                  "every chart needs to be a disk"))

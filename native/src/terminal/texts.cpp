@@ -119,6 +119,8 @@ std::string inspectText(const MeshSummary& s, const std::string& name,
   else
     row("genus", s.genus);
   row("texcoords", s.texcoords);
+  row("normals", s.normals);
+  row("smoothing groups", s.smoothingGroups);
   row("materials", s.materials);
   row("disk", s.disk.ok() ? "yes" : "no");
   if (!s.disk.ok()) out << "  " << s.disk.message << "\n";

@@ -56,7 +56,8 @@ namespace {
 
 /// A bent grid of n x n squares, cut in two triangles each.
 PolygonMesh bentGrid(unsigned n) {
-  PolygonMesh mesh{{}, {0}, {}, {}, {}, {}, {}};
+  PolygonMesh mesh;
+  mesh.faceOffsets = {0};
   for (unsigned j = 0; j <= n; ++j)
     for (unsigned i = 0; i <= n; ++i)
       mesh.positions.insert(mesh.positions.end(),

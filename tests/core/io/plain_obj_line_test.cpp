@@ -21,6 +21,7 @@ Result<PolygonMesh> wholeObj(const std::string& text) {
 PolygonMesh slowly(const std::string& text) {
   PolygonMesh mesh;
   mesh.faceOffsets = {0};
+  bool hasGroups = false;
   std::istringstream lines(text);
   for (std::string line, keyword, word; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -29,14 +30,22 @@ PolygonMesh slowly(const std::string& text) {
       mesh.positions.push_back(std::strtod(word.c_str(), nullptr));
     for (int d = 0; keyword == "vt" && d < 2 && words >> word; ++d)
       mesh.texcoords.push_back(std::strtod(word.c_str(), nullptr));
+    for (int d = 0; keyword == "vn" && d < 3 && words >> word; ++d)
+      mesh.normals.push_back(std::strtod(word.c_str(), nullptr));
+    if (keyword == "s") hasGroups = true;
     while (keyword == "f" && words >> word) {
       char* end = nullptr;
       const long v = std::strtol(word.c_str(), &end, 10);
-      const auto known = static_cast<long>(mesh.texcoords.size() / 2);
-      const long vt = *end == '/' && end[1] != '/' ? std::strtol(end + 1, nullptr, 10) : 0;
-      mesh.faceTexcoords.push_back(static_cast<std::uint32_t>(vt == 0  ? -1
-                                                              : vt > 0 ? vt - 1
-                                                                       : known + vt));
+      const long vt = *end == '/' && end[1] != '/' ? std::strtol(end + 1, &end, 10) : 0;
+      if (*end == '/' && end[1] == '/') ++end;
+      const long vn = *end == '/' ? std::strtol(end + 1, nullptr, 10) : 0;
+      const auto indexOf = [](long given, std::size_t known) {
+        return static_cast<std::uint32_t>(given == 0  ? -1
+                                          : given > 0 ? given - 1
+                                                      : static_cast<long>(known) + given);
+      };
+      mesh.faceTexcoords.push_back(indexOf(vt, mesh.texcoords.size() / 2));
+      mesh.faceNormals.push_back(indexOf(vn, mesh.normals.size() / 3));
       mesh.faceVertices.push_back(
           static_cast<std::uint32_t>(v > 0 ? v - 1 : static_cast<long>(mesh.vertexCount()) + v));
     }
@@ -50,6 +59,13 @@ PolygonMesh slowly(const std::string& text) {
     hasTexcoords = hasTexcoords || t != kNoTexcoord;
   }
   if (!hasTexcoords) mesh.texcoords.clear(), mesh.faceTexcoords.clear();
+  bool hasNormals = false;
+  for (std::uint32_t& n : mesh.faceNormals) {
+    if (n >= mesh.normals.size() / 3) n = kNoNormal;
+    hasNormals = hasNormals || n != kNoNormal;
+  }
+  if (!hasNormals) mesh.normals.clear(), mesh.faceNormals.clear();
+  if (hasGroups && !hasNormals) mesh.faceSmoothing.assign(mesh.faceCount(), 0);
   return mesh;
 }
 
@@ -58,7 +74,11 @@ bool isSame(const PolygonMesh& a, const PolygonMesh& b) {
          (a.positions.empty() ||
           std::memcmp(a.positions.data(), b.positions.data(), 8 * a.positions.size()) == 0) &&
          a.faceOffsets == b.faceOffsets && a.faceVertices == b.faceVertices &&
-         a.texcoords == b.texcoords && a.faceTexcoords == b.faceTexcoords;
+         a.texcoords == b.texcoords && a.faceTexcoords == b.faceTexcoords &&
+         a.normals.size() == b.normals.size() &&
+         (a.normals.empty() ||
+          std::memcmp(a.normals.data(), b.normals.data(), 8 * a.normals.size()) == 0) &&
+         a.faceNormals == b.faceNormals && a.faceSmoothing == b.faceSmoothing;
 }
 
 using Random = std::mt19937_64;
@@ -82,7 +102,7 @@ std::string number(Random& random) {
 std::string corner(Random& random, std::size_t vertices) {
   const std::size_t v = random() % vertices;
   return (random() % 3 ? std::to_string(v + 1) : "-" + std::to_string(vertices - v)) +
-         pick(random, {"", "/7", "/7/12345", "//9", "/-1/-2"});
+         pick(random, {"", "/7", "/7/12345", "//9", "//1", "/-1/-2"});
 }
 
 std::string randomText(Random& random, std::size_t lines) {
@@ -99,8 +119,8 @@ std::string randomText(Random& random, std::size_t lines) {
       for (std::size_t k = 3 + random() % 3; k > 0; --k)
         text += blanks(random) + corner(random, vertices);
     } else {
-      text += pick(random, {"vt 1 2", "vt 0.1 -7e3 0", "vt\t3 4", "vt 5 6", "vn 0 0 1", "", "g a\\",
-                            "# v 1 2 3", "usemtl f", "s off"});
+      text += pick(random, {"vt 1 2", "vt 0.1 -7e3 0", "vt\t3 4", "vt 5 6", "vn 0 0 1",
+                            "vn .5 -1e3 2.5", "", "g a\\", "# v 1 2 3", "usemtl f", "s off"});
     }
     text += pick(random, {"\n", "\n", "\n", " \n", "\r\n"});
   }
@@ -173,10 +193,11 @@ TEST_CASE("the fast way takes the lines that files consist of, and leaves the ot
   CHECK(plainVertexLine("v 1 2 3 0.5 0.5 0.5\r\nv", point) == 21);
   CHECK(plainFaceLine("f 1/2/3 -2//4 5\r", corners) == 16);
   REQUIRE(corners.size() == 3);
-  for (const auto& [k, vertex, texcoord] :
-       {std::array<std::int64_t, 3>{0, 1, 2}, {1, -2, 0}, {2, 5, 0}}) {
+  for (const auto& [k, vertex, texcoord, normal] :
+       {std::array<std::int64_t, 4>{0, 1, 2, 3}, {1, -2, 0, 4}, {2, 5, 0, 0}}) {
     CHECK(corners[static_cast<std::size_t>(k)].vertex == vertex);
     CHECK(corners[static_cast<std::size_t>(k)].texcoord == texcoord);
+    CHECK(corners[static_cast<std::size_t>(k)].normal == normal);
   }
   std::array<double, 2> uv;
   CHECK(plainTexcoordLine("vt 0.5 -1\nf", uv) == 10);
@@ -184,6 +205,10 @@ TEST_CASE("the fast way takes the lines that files consist of, and leaves the ot
   CHECK(plainTexcoordLine("vt 1 2 0\r\n", uv) == 10);
   for (const char* line : {"vt 1\n", "vt 1 2 # c\n", "vt 1 x\n", "v 1 2\n", "vt 1 2 \\\n"})
     CHECK(plainTexcoordLine(line, uv) == 0);
+  CHECK(plainNormalLine("vn 0.5 -1 2e3\nf", point) == 14);
+  CHECK(point == std::array<double, 3>{0.5, -1, 2e3});
+  for (const char* line : {"vn 1 2\n", "vn 1 2 3 # c\n", "vn 1 2 x\n", "v 1 2 3\n"})
+    CHECK(plainNormalLine(line, point) == 0);
   for (const char* line : {"v 1 2 3 # c\n", "v 1 2\n", "v 1 2 3 \\\n", "v 1 2 inf\n", "vt 1 2 3\n"})
     CHECK(plainVertexLine(line, point) == 0);
   for (const char* line : {"f 1 2\n", "f 1 2 0\n", "f 1 2 3 # c\n", "f 1 2 3 \\\n", "f 1 2 3x\n"})

@@ -338,6 +338,33 @@ TEST_CASE("PLY: the format is told by the name, or else by the content", "[ply]"
   CHECK(detectFormat("-", "plywood\n").status.code == StatusCode::UnreadableFile);
 }
 
+TEST_CASE("PLY: normals of vertices, in every encoding and type") {
+  for (const std::string& format : kPlyFormats) {
+    INFO(format);
+    PlyTestElement v{
+        "vertex", {"char nz", "float x", "double ny", "float y", "float z", "float nx"}, {}};
+    for (const std::vector<double>& p : kPoints) v.rows.push_back({-5, p[0], p[2], p[1], p[2], 1});
+    v.rows[1][0] = v.rows[1][5] = 0;  // no direction
+    const Result<PolygonMesh> mesh = ply(plyFile(format, {v, faces()}));
+    checkQuadAndTriangle(mesh);
+    CHECK(mesh.value.normals == std::vector<double>{1, 0, -5, 0, 0, 0, 1, 0.25, -5, 1, 0, -5});
+    const std::uint32_t no = kNoNormal;
+    CHECK(mesh.value.faceNormals == std::vector<std::uint32_t>{0, no, 2, 3, 2, no, 0});
+    v.properties[2] = "double nothing";
+    CHECK(ply(plyFile(format, {v, faces()})).value.normals.empty());
+    v.properties = {"list uchar char nz", "float x", "double ny", "float y", "float z", "float nx"};
+    for (std::vector<double>& row : v.rows) row.insert(row.begin(), 1);
+    CHECK(ply(plyFile(format, {v, faces()})).value.faceNormals.empty());
+    v.properties = {"list uchar char links", "float x", "float nx", "float y", "float z", "int ny"};
+    v.rows.clear();
+    for (const std::vector<double>& p : kPoints)
+      v.rows.push_back({1, 7, p[0], 0, p[1], p[2], 3, -1});
+    v.properties.push_back("float nz");
+    CHECK(ply(plyFile(format, {v, faces()})).value.normals ==
+          std::vector<double>{0, 3, -1, 0, 3, -1, 0, 3, -1, 0, 3, -1});
+  }
+}
+
 TEST_CASE("PLY: texcoords of vertices and of corners are kept in every encoding") {
   for (const std::string& format : kPlyFormats) {
     INFO(format);

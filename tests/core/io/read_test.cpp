@@ -260,11 +260,53 @@ TEST_CASE(
   CHECK(none.value.faceMaterials.empty());
 }
 
+TEST_CASE("OBJ: normals of corners, and what counts as none") {
+  const std::uint32_t no = kNoNormal;
+  const Result<PolygonMesh> r =
+      obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nvn 0 0 1\nvn 1 2 # c\nvn nan 0 1\n"
+          "vn 0 0 0\nvn 0 .5 2e-3 7\nf 2//1 4//2 3//3\nf 2/1/4 1/9/-1 3//9\nf 1//-9 2//6 3/1\n"
+          "vn 9 8 7\n");
+  INFO(r.status.message);
+  REQUIRE(r.ok());
+  CHECK(r.value.faceNormals ==
+        std::vector<std::uint32_t>{no, no, no, 0, no, no, no, 4, no, no, 5, no});
+  CHECK(r.value.normals[13] == 0.5);
+  CHECK(r.value.normals[14] == 2e-3);
+  CHECK(r.value.normals[17] == 7);
+  CHECK(validateArrays(r.value).ok());
+  const Result<PolygonMesh> none = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3//2\n");
+  REQUIRE(none.ok());
+  CHECK(none.value.normals.empty());
+  CHECK(none.value.faceNormals.empty());
+}
+
+TEST_CASE("OBJ: smoothing groups, unless there are normals") {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
+  const auto groups = [&](const std::string& text) {
+    const Result<PolygonMesh> r = obj(points + text);
+    REQUIRE(r.ok());
+    CHECK(validateArrays(r.value).ok());
+    return r.value.faceSmoothing;
+  };
+  using Groups = std::vector<std::uint32_t>;
+  const std::string f = "f 1 2 3\n";
+  CHECK(groups(f).empty());
+  CHECK(groups("s off\n" + f) == Groups{0});
+  CHECK(groups(f + "s 3 # c\n" + f + "s off\n" + f + "s 4294967295\n" + f + "s 12\r\n" + f) ==
+        Groups{0, 3, 0, 0, 12});
+  CHECK(groups(f + "s 1\n" + f) == Groups{0, 1});
+  CHECK(groups("s 1\n" + f + "s 0\n") == Groups{1});
+  CHECK(groups("s 1\n" + f + "f 1//1 2//1 3//1\n").empty());
+}
+
 TEST_CASE("what does not fit a mesh beside its faces is named") {
   PolygonMesh mesh = makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2});
   mesh.texcoords = {0, 0};
   mesh.faceTexcoords = {0, kNoTexcoord, 0};
   mesh.faceMaterials = {7};
+  mesh.normals = {0, 0, 1};
+  mesh.faceNormals = {kNoNormal, 0, 0};
+  mesh.faceSmoothing = {7};
   CHECK(validateArrays(mesh).ok());
   const auto message = [&](auto&& damage) {
     PolygonMesh damaged = mesh;
@@ -280,5 +322,9 @@ TEST_CASE("what does not fit a mesh beside its faces is named") {
   says(message([](PolygonMesh& m) { m.faceTexcoords[2] = 1; }), "corner 2 refers");
   says(message([](PolygonMesh& m) { m.faceTexcoords.pop_back(); }), "every face corner");
   says(message([](PolygonMesh& m) { m.texcoords.pop_back(); }), "multiple of 2");
+  says(message([](PolygonMesh& m) { m.faceNormals[1] = 1; }), "corner 1 refers to normal 1");
+  says(message([](PolygonMesh& m) { m.faceNormals.pop_back(); }), "needs one normal");
+  says(message([](PolygonMesh& m) { m.normals.pop_back(); }), "multiple of 3");
+  says(message([](PolygonMesh& m) { m.faceSmoothing.push_back(0); }), "smoothing group");
   says(message([](PolygonMesh& m) { m.faceMaterials.push_back(0); }), "material");
 }

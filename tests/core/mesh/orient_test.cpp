@@ -130,13 +130,14 @@ TEST_CASE("turning: a surface with one side keeps an edge between opposite faces
 
 TEST_CASE("turning: corners go with their texcoords, and twice is not at all", "[orient]") {
   PolygonMesh mesh = star(5);
-  mesh.faceTexcoords = mesh.faceVertices;
+  mesh.faceTexcoords = mesh.faceNormals = mesh.faceVertices;
   const PolygonMesh before = mesh;
   const std::vector<std::uint32_t> order = turnedCorners(mesh, {0});
   CHECK(order.front() == 0);
   turnFaces({0}, mesh);
   CHECK(mesh.faceVertices == reordered(before.faceVertices, order));
   CHECK(mesh.faceTexcoords == mesh.faceVertices);
+  CHECK(mesh.faceNormals == mesh.faceVertices);
   CHECK(mesh.faceVertices != before.faceVertices);
   turnFaces({0}, mesh);
   CHECK(mesh.faceVertices == before.faceVertices);

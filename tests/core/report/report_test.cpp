@@ -130,7 +130,8 @@ TEST_CASE("inspectJson says what a mesh is and why it is not a disk") {
   CHECK(keysOf(disk) == Keys{"path", "vertices", "unreferencedVertices", "faces", "triangles",
                              "components", "boundaryLoops", "boundaryEdges", "nonManifoldEdges",
                              "orientationConflicts", "degenerateFaces", "eulerCharacteristic",
-                             "genus", "texcoords", "materials", "disk"});
+                             "genus", "texcoords", "normals", "smoothingGroups", "materials",
+                             "disk"});
   CHECK(disk["path"].get<std::string>() == "grid.obj");
   CHECK(disk["faces"].get<int>() == 24);
   CHECK(disk["boundaryEdges"].get<int>() == 14);

@@ -112,8 +112,13 @@ TEST_CASE("lists of seams") {
   CHECK_FALSE(parsed("uv").followsMaterials);
   CHECK(parsed("material,auto").followsMaterials);
   CHECK_FALSE(parsed("material,auto").followsTexcoords);
-  for (const char* text : {"", ",", "auto,", "sharp=", "sharp=0", "sharp=181", "sharp=nan",
-                           "none,auto", "none,uv", "Auto", "auto none", "file=x"})
+  CHECK(parsed("hard").followsHardEdges);
+  CHECK_FALSE(parsed("hard").isAuto);
+  CHECK(parsed("auto,hard,sharp=30").followsHardEdges);
+  CHECK_FALSE(parsed("auto").followsHardEdges);
+  for (const char* text :
+       {"", ",", "auto,", "none,hard", "hard=1", "sharp=", "sharp=0", "sharp=181", "sharp=nan",
+        "none,auto", "none,uv", "Auto", "auto none", "file=x"})
     CHECK(parseSeams(text).status.code == StatusCode::InvalidOption);
 }
 

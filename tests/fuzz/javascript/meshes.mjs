@@ -1,6 +1,6 @@
 // Meshes as callers may hold them: with every kind of array and buffer, some of them broken.
 
-import { randomSurface } from '../../support/random-surfaces.mjs';
+import { Random, randomSurface } from '../../support/random-surfaces.mjs';
 import { objText, offText } from '../../wasm/support/meshes.mjs';
 import { CallersError, cutOff, detached, oddValue } from './odd-values.mjs';
 
@@ -81,12 +81,20 @@ function arrayMesh(random) {
   if (random.chance(0.25)) mesh.texcoords = randomTexcoords(random, mesh.positions.length / 3);
   if (random.chance(0.25)) mesh.materials = randomMaterials(random, indices.length / 3);
   if (random.chance(0.35)) spoil(random, mesh);
-  return mesh;
+  return Object.assign(mesh, normalsFor(indices));
 }
 
 function randomTexcoords(random, count) {
   const make = () => (random.chance(0.02) ? Number.NaN : random.between(0, 1));
   return arrayOf(random, Array.from({ length: 2 * count }, make), REALS.slice(0, 3));
+}
+
+/** Of corners, for some meshes; takes no random numbers, so that known seeds keep their meaning. */
+function normalsFor(indices) {
+  if (indices.length % 4 !== 0) return {};
+  const random = new Random(indices.length);
+  const make = () => (random.chance(0.02) ? Number.NaN : random.between(-1, 1));
+  return { cornerNormals: Float32Array.from({ length: 3 * indices.length }, make) };
 }
 
 function randomMaterials(random, count) {

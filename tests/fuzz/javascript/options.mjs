@@ -32,7 +32,17 @@ const numbers = (random) =>
     random.chance(0.95) ? random.below(20) : 2 ** 32 - 1,
   );
 
-const SEAMS = ['auto', 'none', 'uv', 'material', 'sharp=60', 'auto,sharp=30', 'sharp=0', 'sharp='];
+const SEAMS = [
+  'auto',
+  'none',
+  'hard',
+  'uv',
+  'material',
+  'sharp=60',
+  'auto,hard,sharp=30',
+  'sharp=0',
+  'sharp=',
+];
 const OTHER_SEAMS = [
   'auto,',
   'nothing',

@@ -203,6 +203,10 @@ export interface MeshSummary {
   genus: number;
   /** Texcoords of the file. */
   texcoords: number;
+  /** Shading normals of the file; those of facets, as in STL, do not count. */
+  normals: number;
+  /** Smoothing groups that faces use, off among them; 0 if the file has normals. */
+  smoothingGroups: number;
   /** Materials that faces use. */
   materials: number;
   /** Whether the mesh is one topological disk, which flatten accepts. */

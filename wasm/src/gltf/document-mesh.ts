@@ -4,7 +4,7 @@ import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transf
 import { AbflatError } from '../base/errors.js';
 import { checkMemory } from '../messages/validate.js';
 import type { MeshArrays } from '../types/index.js';
-import { type Placement, Placements, put } from './placement.js';
+import { type Placement, Placements, put, putNormal } from './placement.js';
 import { isOfTriangles, trianglesOf } from './triangles.js';
 
 /** The part of the mesh that one primitive makes up. */
@@ -28,6 +28,8 @@ export interface DocumentMesh extends MeshArrays {
   indices: Uint32Array;
   /** One set with v measured from the bottom, if any primitive has it. */
   texcoords?: Float64Array;
+  /** Shading normals of the vertices, if any primitive has them. */
+  normals?: Float64Array;
   materials: Uint32Array;
   document: Document;
   parts: DocumentPart[];
@@ -80,10 +82,12 @@ export function documentMesh(
   const { parts } = gathered;
   const positions = joined(Float64Array, gathered.positions);
   const texcoords = texcoordsOf(parts, positions.length / 3, `TEXCOORD_${texcoord}`);
+  const normals = normalsOf(parts, positions.length / 3, placements);
   return {
     positions,
     indices: joined(Uint32Array, gathered.triangles),
     ...(texcoords && { texcoords }),
+    ...(normals && { normals }),
     materials: joined(
       Uint32Array,
       parts.map((part) => new Uint32Array(part.triangleCount).fill(materialOf(part))),
@@ -148,6 +152,25 @@ function texcoordsOf(
     }
   }
   return texcoords;
+}
+
+/** 0 for vertices without a normal; undefined if no primitive has them. */
+function normalsOf(
+  parts: DocumentPart[],
+  vertexCount: number,
+  placements: Placements,
+): Float64Array | undefined {
+  const known = parts.filter(({ primitive }) => primitive.getAttribute('NORMAL'));
+  if (known.length === 0) return undefined;
+  const normals = new Float64Array(3 * vertexCount);
+  for (const { mesh, primitive, firstVertex } of known) {
+    const attribute = primitive.getAttribute('NORMAL') as Accessor;
+    const placement = placements.of(mesh);
+    const at: number[] = [];
+    for (let row = 0; row < attribute.getCount(); ++row)
+      putNormal(attribute.getElement(row, at), placement, normals, 3 * (firstVertex + row));
+  }
+  return normals;
 }
 
 type Fail = (what: string) => AbflatError;

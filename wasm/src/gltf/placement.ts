@@ -136,3 +136,29 @@ export function put(
         (m[12 + d] as number)
       : ([x, y, z][d] as number);
 }
+
+/**
+ * Writes a normal as it is on the placed surface, by the cofactors of the matrix. It faces outwards
+ * as before, even where the placement mirrors.
+ */
+export function putNormal(
+  normal: number[],
+  { matrix: m, isMirrored }: Placement,
+  to: Float64Array,
+  at: number,
+): void {
+  if (!m) {
+    to.set(normal, at);
+    return;
+  }
+  const [x, y, z] = [0, 4, 8].map((i) => [m[i], m[i + 1], m[i + 2]] as Point) as [
+    Point,
+    Point,
+    Point,
+  ];
+  const sign = isMirrored ? -1 : 1;
+  [cross(y, z), cross(z, x), cross(x, y)].forEach((column, k) => {
+    for (let d = 0; d < 3; ++d)
+      (to[at + d] as number) += sign * (column[d] as number) * (normal[k] as number);
+  });
+}

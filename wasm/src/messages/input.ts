@@ -96,7 +96,14 @@ const REALS = ['Float32Array', 'Float64Array'];
 const WHOLE = ['Uint32Array', 'Uint16Array', 'Uint8Array'];
 const OTHERS = ['Array', 'Int8Array', 'Int16Array', 'Int32Array'];
 
-const OF_ARRAYS: readonly (keyof MeshArrays)[] = ['positions', 'indices', 'texcoords', 'materials'];
+const OF_ARRAYS: readonly (keyof MeshArrays)[] = [
+  'positions',
+  'indices',
+  'texcoords',
+  'normals',
+  'cornerNormals',
+  'materials',
+];
 
 function checkArrays(mesh: object): OwnedArrays {
   const given = fieldsOf(mesh, OF_ARRAYS);
@@ -113,6 +120,14 @@ function checkArrays(mesh: object): OwnedArrays {
   if (given.texcoords !== undefined) {
     checked.texcoords = reals('texcoords', given.texcoords);
     checkLength('texcoords', checked.texcoords, (2 * positions.length) / 3, '2 per vertex');
+  }
+  if (given.normals !== undefined) {
+    checked.normals = reals('normals', given.normals);
+    checkLength('normals', checked.normals, positions.length, '3 per vertex');
+  }
+  if (given.cornerNormals !== undefined) {
+    checked.cornerNormals = reals('cornerNormals', given.cornerNormals);
+    checkLength('cornerNormals', checked.cornerNormals, 3 * indices.length, '3 per corner');
   }
   if (given.materials !== undefined) {
     checked.materials = whole('materials', given.materials);

@@ -7,14 +7,19 @@ export function neededFor(
   mesh: MeshArrays,
 ): MeshArrays {
   const { seams, fixedFaces } = ownFields(options);
-  const { positions, indices, texcoords, materials } = ownFields(mesh);
+  const { positions, indices, texcoords, normals, cornerNormals, materials } = ownFields(mesh);
   // A value that is not a string is refused later, when it is used.
-  const sources = typeof seams === 'string' ? seams.split(',').map((each) => each.trim()) : [];
+  const words = seams === undefined ? 'auto' : seams;
+  const sources = typeof words === 'string' ? words.split(',').map((each) => each.trim()) : [];
   const wants = (source: string) => sources.includes(source);
+  // Automatic seams are told where shading breaks, too.
+  const wantsHardEdges = wants('hard') || wants('auto');
   return {
     positions,
     indices,
     ...(texcoords && (fixedFaces || wants('uv')) && { texcoords }),
+    ...(normals && wantsHardEdges && { normals }),
+    ...(cornerNormals && wantsHardEdges && { cornerNormals }),
     ...(materials && wants('material') && { materials }),
   };
 }

@@ -25,6 +25,8 @@ export interface OwnedArrays {
   positions: Float32Array | Float64Array;
   indices: Whole;
   texcoords?: Float32Array | Float64Array;
+  normals?: Float32Array | Float64Array;
+  cornerNormals?: Float32Array | Float64Array;
   materials?: Whole;
 }
 

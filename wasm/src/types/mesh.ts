@@ -27,6 +27,13 @@ export interface MeshArrays {
    * and `fixedFaces`.
    */
   texcoords?: RealArray;
+  /**
+   * Shading normals, 3 per vertex and of any length: for `seams: 'hard'`. 0 for a vertex without
+   * any, which then has those of its triangles.
+   */
+  normals?: RealArray;
+  /** The same with 3 per corner of a triangle, in place of `normals`. */
+  cornerNormals?: RealArray;
   /** One number per triangle: for `seams: 'material'`. */
   materials?: WholeArray;
 }

@@ -25,7 +25,7 @@ export interface KnownLayout {
 
 /** UNWRAP_OPTIONS describes the plain values and their defaults. */
 export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues> {
-  /** Where to cut: `auto` (the default), `uv`, `material`, `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
+  /** Where to cut: `auto` (the default), `hard`, `uv`, `material`, `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
   seams?: string;
   /** Edges to cut in addition, given as two input vertices each. */
   seamEdges?: Uint32Array;

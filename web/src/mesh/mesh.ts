@@ -6,9 +6,14 @@ export interface DisplayMesh {
   faces?: Uint32Array;
 }
 
-/** With data that seams may follow: 2 texcoords per vertex, a material per triangle. */
+/**
+ * With data that seams may follow: 2 texcoords and a normal per vertex, a normal per corner where
+ * vertices have several, a material per triangle.
+ */
 export interface ArrayMesh extends DisplayMesh {
   texcoords?: Float64Array;
+  normals?: Float64Array;
+  cornerNormals?: Float64Array;
   materials?: Uint32Array;
 }
 

@@ -30,9 +30,18 @@ export function weld(points: Float64Array, size: number): Uint32Array {
 
 /**
  * The mesh with vertices at the same point joined. A joined vertex had several texcoords, so there
- * are none.
+ * are none; normals are those of corners.
  */
-export function joined({ positions, indices, materials }: ArrayMesh): ArrayMesh {
+export function joined({ positions, indices, normals, materials }: ArrayMesh): ArrayMesh {
   const first = weld(positions, 3);
-  return { positions, indices: indices.map((vertex) => first[vertex]), materials };
+  const cornerNormals = normals && ofCorners(normals, indices);
+  return { positions, indices: indices.map((vertex) => first[vertex]), cornerNormals, materials };
+}
+
+function ofCorners(normals: Float64Array, indices: Uint32Array): Float64Array {
+  const corners = new Float64Array(3 * indices.length);
+  indices.forEach((vertex, c) => {
+    for (let d = 0; d < 3; ++d) corners[3 * c + d] = normals[3 * vertex + d];
+  });
+  return corners;
 }

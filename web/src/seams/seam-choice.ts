@@ -1,6 +1,10 @@
+import type { MeshSummary } from 'abflat';
+
 /** Where seams come from, in the words of the command line. */
 export interface SeamSources {
   auto: boolean;
+  /** Along edges where the shading of the file breaks. */
+  hard: boolean;
   uv: boolean;
   material: boolean;
   /** Degrees; null: not along sharp edges. */
@@ -17,14 +21,28 @@ export interface SeamChoice {
 }
 
 export const AUTOMATIC: SeamChoice = {
-  sources: { auto: true, uv: false, material: false, sharp: null },
+  sources: { auto: true, hard: false, uv: false, material: false, sharp: null },
   edges: null,
 };
 
+/** What the open mesh can be cut along. */
+export interface Offered {
+  hard: boolean;
+  uv: boolean;
+  material: boolean;
+}
+
+export const offeredBy = (summary: MeshSummary): Offered => ({
+  hard: summary.normals > 0 || summary.smoothingGroups > 0,
+  uv: summary.texcoords > 0,
+  material: summary.materials > 1,
+});
+
 /** The value of `--seams`. */
-export function seamWords({ auto, uv, material, sharp }: SeamSources): string {
+export function seamWords({ auto, hard, uv, material, sharp }: SeamSources): string {
   const words = [
     ...(auto ? ['auto'] : []),
+    ...(hard ? ['hard'] : []),
     ...(uv ? ['uv'] : []),
     ...(material ? ['material'] : []),
     ...(sharp !== null ? [`sharp=${sharp}`] : []),
@@ -44,6 +62,7 @@ export function choiceOf({ seams, seamEdges }: SeamOptions): SeamChoice {
   const sharp = words.find((word) => word.startsWith('sharp='));
   const sources = {
     auto: words.includes('auto'),
+    hard: words.includes('hard'),
     uv: words.includes('uv'),
     material: words.includes('material'),
     sharp: sharp ? Number(sharp.slice('sharp='.length)) : null,

@@ -7,7 +7,14 @@ import type { DisplayMesh } from '../mesh/mesh';
 import type { Unwrapped } from '../model/model';
 import type { MeshView } from '../view/mesh-view';
 import type { Workshop } from '../workshop/workshop';
-import { AUTOMATIC, choiceOf, type SeamChoice, type SeamOptions, seamOptions } from './seam-choice';
+import {
+  AUTOMATIC,
+  choiceOf,
+  offeredBy,
+  type SeamChoice,
+  type SeamOptions,
+  seamOptions,
+} from './seam-choice';
 import { pairsOf } from './seam-edges';
 import { SeamEditor } from './seam-editor';
 import { BadSeamFile, readSeams, seamText } from './seam-file';
@@ -18,15 +25,12 @@ import { SourceControl } from './source-control';
 
 const solids = () => loadPart(import('../surface/solid'));
 
-/** The choice for another mesh, whose islands and materials are its own. */
+/** The choice for another mesh, whose hard edges, islands and materials are its own. */
 function takenOver({ sources, edges }: SeamChoice, isReread: boolean): SeamChoice {
   if (edges) return AUTOMATIC;
   if (isReread) return { sources, edges };
-  const isOfFile = sources.uv || sources.material;
-  return {
-    sources: { ...sources, uv: false, material: false, auto: sources.auto || isOfFile },
-    edges: null,
-  };
+  const auto = sources.auto || sources.hard || sources.uv || sources.material;
+  return { sources: { ...sources, hard: false, uv: false, material: false, auto }, edges: null };
 }
 
 /** A mesh whose seams can be edited. */
@@ -180,7 +184,7 @@ export class SeamPanel {
       surface = await this.surfaceOf(mesh);
     });
     this.model = new SeamModel(() => surface, takenOver(this.choice, mesh.isReread));
-    this.sources.offer({ uv: summary.texcoords > 0, material: summary.materials > 1 });
+    this.sources.offer(offeredBy(summary));
     this.sources.show(this.choice);
     this.hide();
   }

@@ -1,17 +1,17 @@
 import { element } from '../base/dom';
 import { SEAM_SOURCES } from '../base/english';
 import { refusal } from '../controls/number-field';
-import type { SeamChoice, SeamSources } from './seam-choice';
+import type { Offered, SeamChoice, SeamSources } from './seam-choice';
 
-/** What the open mesh can be cut along. */
-export interface Offered {
-  uv: boolean;
-  material: boolean;
-}
-
-const NO_SOURCES: SeamSources = { auto: false, uv: false, material: false, sharp: null };
+const NO_SOURCES: SeamSources = {
+  auto: false,
+  hard: false,
+  uv: false,
+  material: false,
+  sharp: null,
+};
 const USUAL_SHARP = 60;
-const SWITCHES = ['auto', 'uv', 'material'] as const;
+const SWITCHES = ['auto', 'hard', 'uv', 'material'] as const;
 
 /** Where seams come from: switches that can be combined. */
 export class SourceControl {
@@ -53,9 +53,9 @@ export class SourceControl {
     });
   }
 
-  offer({ uv, material }: Offered): void {
-    this.switches[SWITCHES.indexOf('uv')].hidden = !uv;
-    this.switches[SWITCHES.indexOf('material')].hidden = !material;
+  offer(offered: Offered): void {
+    for (const name of ['hard', 'uv', 'material'] as const)
+      this.switches[SWITCHES.indexOf(name)].hidden = !offered[name];
   }
 
   /** While edges are listed, no source counts; pressing one starts over with it. */
@@ -87,6 +87,6 @@ export class SourceControl {
 
 function stateText(sources: SeamSources, edges: Uint32Array | null, isCutFurther = false): string {
   if (edges) return SEAM_SOURCES.edited(edges.length / 2, isCutFurther);
-  const { auto, uv, material, sharp } = sources;
-  return auto || uv || material || sharp !== null ? '' : SEAM_SOURCES.none;
+  const isAny = SWITCHES.some((name) => sources[name]) || sources.sharp !== null;
+  return isAny ? '' : SEAM_SOURCES.none;
 }

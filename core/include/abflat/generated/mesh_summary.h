@@ -37,6 +37,10 @@ struct MeshSummary {
   std::int64_t genus = 0;
   /// Texcoords of the file.
   std::size_t texcoords = 0;
+  /// Shading normals of the file; those of facets, as in STL, do not count.
+  std::size_t normals = 0;
+  /// Smoothing groups that faces use, off among them; 0 if the file has normals.
+  std::size_t smoothingGroups = 0;
   /// Materials that faces use.
   std::size_t materials = 0;
   /// Whether the mesh is one topological disk, which flatten accepts.
@@ -58,6 +62,8 @@ void visitFields(const MeshSummary& r, Visitor& v) {
   v.field("eulerCharacteristic", r.eulerCharacteristic);
   v.field("genus", r.genus);
   v.field("texcoords", r.texcoords);
+  v.field("normals", r.normals);
+  v.field("smoothingGroups", r.smoothingGroups);
   v.field("materials", r.materials);
   v.verdict("disk", r.disk);
 }

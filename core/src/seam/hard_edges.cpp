@@ -1,0 +1,82 @@
+#include "seam/hard_edges.h"
+
+#include <cmath>
+#include <vector>
+
+#include "seam/bend.h"
+
+namespace abflat {
+namespace {
+
+bool doNormalsDiffer(const Vec3& a, const Vec3& b) {
+  return bendBetween(a, b) > kSameNormalDegrees;
+}
+
+/// Zero for a normal that has no direction.
+std::vector<double> unitNormals(std::vector<double> normals) {
+  for (std::size_t i = 0; i < normals.size(); i += 3) {
+    const double length = norm({normals[i], normals[i + 1], normals[i + 2]});
+    const bool hasDirection = std::isfinite(length) && length > 0;
+    for (std::size_t d = i; d < i + 3; ++d) normals[d] = hasDirection ? normals[d] / length : 0;
+  }
+  return normals;
+}
+
+/// Decides by the normals that corners have, or their triangles.
+class Normals {
+ public:
+  explicit Normals(const SurfaceMap& map) : map_(map), normals_(unitNormals(map.input().normals)) {}
+
+  bool areHard(SurfaceCorner h, SurfaceCorner twin) const {
+    return differAt(h, nextCorner(twin)) || differAt(nextCorner(h), twin);
+  }
+
+ private:
+  Vec3 given(std::uint32_t i) const {
+    return {normals_[3 * std::size_t{i}], normals_[3 * std::size_t{i} + 1],
+            normals_[3 * std::size_t{i} + 2]};
+  }
+
+  /// kNoNormal if it has no direction.
+  std::uint32_t numberOf(SurfaceCorner c) const {
+    const std::uint32_t i = map_.input().faceNormals[map_.corner(c)];
+    return i == kNoNormal || given(i) == Vec3{} ? kNoNormal : i;
+  }
+
+  bool differAt(SurfaceCorner a, SurfaceCorner b) const {
+    const std::uint32_t i = numberOf(a), j = numberOf(b);
+    if (i == j && i != kNoNormal) return false;
+    return doNormalsDiffer(i == kNoNormal ? facetNormal(map_, triangleOf(a)) : given(i),
+                           j == kNoNormal ? facetNormal(map_, triangleOf(b)) : given(j));
+  }
+
+  const SurfaceMap& map_;
+  std::vector<double> normals_;  ///< of length 1
+};
+
+/// Whether smoothing groups make the edge between two triangles hard.
+bool areHardByGroups(const SurfaceMap& map, SurfaceTriangle f, SurfaceTriangle g) {
+  const std::vector<std::uint32_t>& groups = map.input().faceSmoothing;
+  const std::uint32_t group = groups[map.face(f)];
+  if (group != groups[map.face(g)]) return true;
+  return group == 0 && doNormalsDiffer(facetNormal(map, f), facetNormal(map, g));
+}
+
+}  // namespace
+
+Seams hardEdges(const SurfaceMap& map) {
+  const bool hasNormals = !map.input().faceNormals.empty();
+  if (!hasNormals && map.input().faceSmoothing.empty()) return {};
+  const Surface& surface = map.surface();
+  const Normals normals(map);
+  Seams out(surface.table.vertex.size(), 0);
+  for (const SurfaceCorner h : surface.table.corners()) {
+    const SurfaceCorner twin = surface.table.twin[h];
+    if (!twin.exists() || twin < h || surface.triangulation.isDiagonal[h]) continue;
+    out[h] = out[twin] = hasNormals ? normals.areHard(h, twin)
+                                    : areHardByGroups(map, triangleOf(h), triangleOf(twin));
+  }
+  return out;
+}
+
+}  // namespace abflat
