@@ -268,6 +268,8 @@ Seams Finder::run() {
   report_.foundScale = u_;
   if (options_.isAuto && goesOn()) shortenSeams(work, isSolved);
   if (options_.isAuto) makeSymmetric(work);
+  for (const SurfaceCorner h : result_.ids())
+    if (result_[h]) report_.found[h] = 1;
   report_.mergeSeconds = watch.lap();
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   report_.stretch = predictStretch(whole_, s, u_).total;

@@ -30,6 +30,14 @@ double costOf(const SeamMesh& mesh, const Seams& seams) {
   return sum;
 }
 
+/// Length of the seams in flat faces, where nothing hides them.
+double flatLengthOf(const SeamMesh& mesh, const Seams& seams) {
+  double sum = 0;
+  for (const SurfaceCorner h : seams.ids())
+    if (seams[h] && mesh.isOnSurface(h) && mesh.cost[h] > mesh.length[h]) sum += mesh.length[h] / 2;
+  return sum;
+}
+
 /// For a mesh without cuts so far, finds seams that are symmetric to its plane of symmetry.
 class SymmetricFinder {
  public:
@@ -44,7 +52,9 @@ class SymmetricFinder {
     if (!mirror || mirroredShare(mesh_, mirror, seams) > kSymmetric) return;
     const double before = priceOf(seams, report);
     const auto isPreferable = [&](const Found& found) {
-      return found.price <= kDearer * before && found.report.charts <= report.charts + kMoreCharts;
+      return found.price <= kDearer * before &&
+             found.report.charts <= report.charts + kMoreCharts &&
+             flatLengthOf(mesh_, found.seams) <= flatLengthOf(mesh_, seams);
     };
     const bool isForced = options_.symmetricSeams == SymmetricSeams::Always;
     std::optional<Found> best;

@@ -110,23 +110,34 @@ class Merger {
       for (int k = 0; k < slots; ++k) {
         const int slot = slots / 2 + (k % 2 == 1 ? (k + 1) / 2 : -k / 2);
         const double middle = run.length * (slot + 0.5) / slots;
-        if (SharedRun part = partOf(run, middle - width / 2, middle + width / 2);
-            !part.edges.empty())
-          out.push_back(std::move(part));
+        SharedRun part = partOf(run, middle - width / 2, middle + width / 2);
+        if (isAroundPlane) part = itsOwnImage(part);
+        if (!part.edges.empty()) out.push_back(std::move(part));
       }
     }
     return out;
   }
 
-  /// The edges of the run whose middles are between two distances along it.
+  /// The edges of the run that begin between two distances along it.
   SharedRun partOf(const SharedRun& run, double from, double to) const {
     SharedRun out{run.a, run.b, {}, run.begin, 0, 0};
     double passed = 0;
     for (const SurfaceCorner h : run.edges) {
-      const double middle = passed + mesh_.length[h] / 2;
-      if (middle < from) ++out.begin;
-      if (middle >= from && middle < to) add(h, out);
+      if (passed < from) ++out.begin;
+      if (passed >= from && passed < to) add(h, out);
       passed += mesh_.length[h];
+    }
+    return out;
+  }
+
+  /// The edges of the run whose images are in it as well.
+  SharedRun itsOwnImage(const SharedRun& run) const {
+    SharedRun out{run.a, run.b, {}, run.begin, 0, 0};
+    for (const SurfaceCorner h : run.edges) {
+      if (isImageOn(run, h))
+        add(h, out);
+      else if (out.edges.empty())
+        ++out.begin;
     }
     return out;
   }
@@ -215,6 +226,12 @@ class Merger {
   bool isOn(const SharedRun& run, SurfaceCorner edge) const {
     return std::any_of(run.edges.begin(), run.edges.end(),
                        [&](SurfaceCorner h) { return edge == h || edge == mesh_.twin[h]; });
+  }
+
+  bool isImageOn(const SharedRun& run, SurfaceCorner edge) const {
+    bool out = options_.mirror.hasImage(edge);
+    options_.mirror.forEachImage(edge, [&](SurfaceCorner i) { out = out && isOn(run, i); });
+    return out;
   }
 
   bool isOwnImage(const SharedRun& run) const {
