@@ -47,16 +47,18 @@ class SymmetricFinder {
   /// Replaces `seams`, which `report` describes, by symmetric ones if those are preferable.
   void run(Seams& seams, SeamReport& report) const {
     if (options_.symmetricSeams == SymmetricSeams::Never || costOf(mesh_, seams) == 0) return;
+    const bool isForced = options_.symmetricSeams == SymmetricSeams::Always;
+    // A seam and its image may reach a hole from two sides, which opens it.
+    if (!isForced && options_.fillHoles == FillHoles::Always && !mesh_.hole.empty()) return;
     const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
     if (!mirror) report.asymmetry = Asymmetry::NoPlane;
     if (!mirror || mirroredShare(mesh_, mirror, seams) > kSymmetric) return;
     const double before = priceOf(seams, report);
     const auto isPreferable = [&](const Found& found) {
       return found.price <= kDearer * before &&
-             found.report.charts <= report.charts + kMoreCharts &&
+             found.report.charts <= kMoreCharts * report.charts &&
              flatLengthOf(mesh_, found.seams) <= flatLengthOf(mesh_, seams);
     };
-    const bool isForced = options_.symmetricSeams == SymmetricSeams::Always;
     std::optional<Found> best;
     for (const Beginning beginning : {Beginning::OneSide, Beginning::OtherSide, Beginning::Half}) {
       const std::optional<Seams> first = begin(beginning, mirror, costOf(mesh_, seams), report);
@@ -81,10 +83,8 @@ class SymmetricFinder {
  private:
   /// Mirrored share of seams that are symmetric but for a few edges.
   static constexpr double kSymmetric = 0.95;
-  /// How much more symmetric seams may cost, and how many charts more there may be: one on either
-  /// side.
-  static constexpr double kDearer = 1.1;
-  static constexpr std::uint32_t kMoreCharts = 2;
+  /// How much more symmetric seams may cost, and how many times as many charts there may be.
+  static constexpr double kDearer = 1.1, kMoreCharts = 1.25;
 
   /// Seams to begin with, besides those in the plane: those found before, with one side replaced
   /// by the image of the other one, or those of one side if it is a surface of its own.
