@@ -48,6 +48,8 @@ class SymmetricFinder {
   void run(Seams& seams, SeamReport& report) const {
     if (options_.symmetricSeams == SymmetricSeams::Never || costOf(mesh_, seams) == 0) return;
     const bool isForced = options_.symmetricSeams == SymmetricSeams::Always;
+    // Of boxes and other parts that unroll, seams follow creases, whatever is opposite.
+    if (!isForced && report.stretch - 1 < kExact) return;
     // A seam and its image may reach a hole from two sides, which opens it.
     if (!isForced && options_.fillHoles == FillHoles::Always && !mesh_.hole.empty()) return;
     const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
@@ -81,6 +83,8 @@ class SymmetricFinder {
   }
 
  private:
+  /// Mean stretch, less 1, of charts that nearly all unroll.
+  static constexpr double kExact = 2e-3;
   /// Mirrored share of seams that are symmetric but for a few edges.
   static constexpr double kSymmetric = 0.95;
   /// How much more symmetric seams may cost, and how many times as many charts there may be.
