@@ -53,7 +53,8 @@ std::vector<Bearing> bearingsOf(const Loops& loops) {
 /// Bearing `i`, counted on past the last one by quarter turns.
 Bearing bearingAt(const std::vector<Bearing>& bearings, std::size_t i) {
   const Bearing& bearing = bearings[i % bearings.size()];
-  return {bearing.angle + kQuarter * static_cast<double>(i / bearings.size()), bearing.share};
+  const std::size_t quarters = i / bearings.size();
+  return {bearing.angle + kQuarter * static_cast<double>(quarters), bearing.share};
 }
 
 /// The direction with half of the length of these edges at either side, or the middle between two.

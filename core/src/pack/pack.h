@@ -29,11 +29,11 @@ struct PackOptions {
   /// Free texels between charts; half of that, rounded up, to the border.
   int padding = 2;
   Rotate rotate = Rotate::Free;  ///< beyond the pose in which a chart lies level and upright
-  double texelDensity = 0;     ///< texels per unit of the mesh; 0: the most that fits one tile
-  double mostDensity = 0;      ///< limits it if `texelDensity` is 0; 0: no limit
-  bool fixedMayLeave = false;  ///< fixed shapes may be outside of tiles
-  double unit = 1;             ///< length in the mesh's unit of a length of 1 in the charts
-  bool udim = false;           ///< with a density: as many tiles as needed, not one
+  double texelDensity = 0;       ///< texels per unit of the mesh; 0: the most that fits one tile
+  double mostDensity = 0;        ///< limits it if `texelDensity` is 0; 0: no limit
+  bool fixedMayLeave = false;    ///< fixed shapes may be outside of tiles
+  double unit = 1;               ///< length in the mesh's unit of a length of 1 in the charts
+  bool udim = false;             ///< with a density: as many tiles as needed, not one
   /// Once all charts have a place, better ones are searched for until this many rows of texels (or
   /// larger cells) have been looked at, over all charts in all poses; 0: until no better one is
   /// found.

@@ -1,6 +1,5 @@
 #include "seam/crease_seams.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/constants.h"
@@ -15,8 +14,8 @@ constexpr double kLeastLength = 0.25;
 /// Share of a component's curvature that may be elsewhere. If more is, the patches between creases
 /// have to be cut in any case.
 constexpr double kMostElsewhere = 0.3;
-/// Patches of a component: this many, or a share of its triangles.
-constexpr std::size_t kFewPatches = 64, kTrianglesOfPatch = 3;
+/// The most patches of a component: a few, and some for the root of its triangles. More are noise.
+constexpr double kFewPatches = 64, kPatchesOfRoot = 1;
 
 /// What is known of a component.
 struct Component {
@@ -27,7 +26,8 @@ struct Component {
   bool isWorthIt(const CutSurface::Chart& whole) const {
     return length > kLeastLength * std::sqrt(whole.area) &&
            elsewhere <= kMostElsewhere * curvature &&
-           patches <= std::max(kFewPatches, whole.triangles / kTrianglesOfPatch);
+           static_cast<double>(patches) <=
+               kFewPatches + kPatchesOfRoot * std::sqrt(static_cast<double>(whole.triangles));
   }
 };
 
