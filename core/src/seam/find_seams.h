@@ -7,8 +7,8 @@
 #include "abflat/generated/unwrap_options.h"
 #include "base/parallel.h"
 #include "cut/cut_surface.h"
-#include "seam/seam_value.h"
 #include "seam/mirror.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 
