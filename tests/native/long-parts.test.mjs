@@ -57,7 +57,7 @@ const SURFACES = {
   'a short cable': [cable(30), 0.65, 0.7],
   'a cable': [cable(200), 0.7, 0.7],
   'a spring': [spring(), 0.6, 0.7],
-  'a road': [road(600), 0.35, 0.6],
+  'a road': [road(600), 0.4, 0.6],
   'a long strip beside boxes': [
     together([
       [strip(100), [0, -9, 0]],
@@ -74,7 +74,7 @@ for (const [name, [surface, least, leastAsked]] of Object.entries(SURFACES))
     const whole = await unwrapped(t, surface, '--min-utilization', '0');
     const cut = await unwrapped(t, surface);
     const asked = await unwrapped(t, surface, '--min-utilization', '0.7');
-    assert.ok(whole.atlas.utilization < 0.7 * least, `whole: ${whole.atlas.utilization}`);
+    assert.ok(whole.atlas.utilization < 0.5 * least, `whole: ${whole.atlas.utilization}`);
     assert.ok(cut.atlas.utilization >= least, `auto: ${cut.atlas.utilization}`);
     assert.ok(asked.atlas.utilization >= leastAsked, `asked: ${asked.atlas.utilization}`);
     assert.deepEqual(cut.notes, []);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/disjoint_sets.h"
-#include "base/portable_math.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -32,10 +31,6 @@ IdVector<SurfaceTriangle, double> sizes(const SeamMesh& mesh) {
   return out;
 }
 
-double angleBetween(const Vec3& a, const Vec3& b) {
-  return portable::atan2(norm(cross(a, b)), dot(a, b));
-}
-
 void add(const Vec3& n, double times, Vec3& sum) {
   for (std::size_t d = 0; d < 3; ++d) sum[d] += times * n[d];
 }
@@ -43,14 +38,8 @@ void add(const Vec3& n, double times, Vec3& sum) {
 class Walker {
  public:
   explicit Walker(const SeamMesh& mesh) : mesh_(mesh) {
-    for (const SurfaceTriangle f : mesh.triangles()) {
-      const TriangleVertices v = verticesOf(mesh.vertexOfCorner, f);
-      Vec3 n =
-          cross(edgeVector(mesh.positions, v[0], v[1]), edgeVector(mesh.positions, v[0], v[2]));
-      const double length = norm(n);
-      for (double& x : n) x = length > 0 ? x / length : 0;
-      normal_.push_back(n);
-    }
+    for (const SurfaceTriangle f : mesh.triangles())
+      normal_.push_back(unitNormal(mesh.positions, verticesOf(mesh.vertexOfCorner, f)));
   }
 
   const Vec3& at(SurfaceCorner h) const { return normal_[triangleOf(h)]; }

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "base/constants.h"
 #include "base/portable_math.h"
 #include "base/stable_order.h"
 
 namespace abflat {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180, kQuarter = 90 * kDegree;
+constexpr double kDegree = kPi / 180, kQuarter = 90 * kDegree;
 /// Angles, shares and lengths relative to each other are alike up to this much, so that rounding
 /// decides nothing.
 constexpr double kAlikeBearing = 1e-9;

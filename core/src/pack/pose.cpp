@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
 #include "base/portable_math.h"
 
 namespace abflat {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void measure(Pose& pose, const std::vector<PlanePoint>& hull) {
   if (hull.empty()) return;

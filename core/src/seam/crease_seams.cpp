@@ -62,9 +62,8 @@ IdVector<CutChartId, Component> measure(const SeamMesh& mesh, const CutSurface& 
 
 }  // namespace
 
-Seams creasesToBegin(const SeamMesh& mesh) {
+Seams creasesToBegin(const SeamMesh& mesh, const CutSurface& whole) {
   Seams out = allCreases(mesh);
-  const CutSurface whole = cutAlong(mesh, Seams(mesh.twin.size(), 0));
   const IdVector<CutChartId, Component> components = measure(mesh, whole, out);
   bool isAny = false;
   for (const SurfaceCorner h : out.ids()) {

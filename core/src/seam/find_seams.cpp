@@ -22,14 +22,6 @@ double lengthOf(const SeamMesh& mesh, const Seams& seams) {
   return sum;
 }
 
-/// Length of the seams, where those along creases count as shorter.
-double costOf(const SeamMesh& mesh, const Seams& seams) {
-  double sum = 0;
-  for (const SurfaceCorner h : seams.ids())
-    if (seams[h] && mesh.isOnSurface(h)) sum += mesh.cost[h] / 2;
-  return sum;
-}
-
 /// Length of the seams in flat faces, where nothing hides them.
 double flatLengthOf(const SeamMesh& mesh, const Seams& seams) {
   double sum = 0;
@@ -46,7 +38,7 @@ class SymmetricFinder {
 
   /// Replaces `seams`, which `report` describes, by symmetric ones if those are preferable.
   void run(Seams& seams, SeamReport& report) const {
-    if (options_.symmetricSeams == SymmetricSeams::Never || costOf(mesh_, seams) == 0) return;
+    if (options_.symmetricSeams == SymmetricSeams::Never || costOfSeams(mesh_, seams) == 0) return;
     const bool isForced = options_.symmetricSeams == SymmetricSeams::Always;
     // Of boxes and other parts that unroll, seams follow creases, whatever is opposite.
     if (!isForced && report.stretch - 1 < kExact) return;
@@ -63,7 +55,7 @@ class SymmetricFinder {
     };
     std::optional<Found> best;
     for (const Beginning beginning : {Beginning::OneSide, Beginning::OtherSide, Beginning::Half}) {
-      const std::optional<Seams> first = begin(beginning, mirror, costOf(mesh_, seams), report);
+      const std::optional<Seams> first = begin(beginning, mirror, costOfSeams(mesh_, seams), report);
       if (!first) continue;
       Found now = findFrom(*first, mirror, report);
       if (now.report.cancelled) report.cancelled = true;
@@ -110,7 +102,7 @@ class SymmetricFinder {
       const Seams found = seamsOfHalf(*half, report.eliminationRanks);
       // By measurement, the result costs more than this.
       constexpr double kLeastOfPlane = 0.6;
-      const double least = 2 * costOf(half->mesh, found) + kLeastOfPlane * costOf(mesh_, *plane);
+      const double least = 2 * costOfSeams(half->mesh, found) + kLeastOfPlane * costOfSeams(mesh_, *plane);
       if (options_.symmetricSeams == SymmetricSeams::Auto && least > kDearer * cost) return {};
       return unfold(mesh_, mirror, *half, found);
     }
@@ -157,8 +149,8 @@ class CreaseFinder {
   CreaseFinder(const SeamMesh& mesh, const SeamOptions& options)
       : mesh_(mesh),
         options_(options),
-        creases_(creasesToBegin(mesh)),
-        whole_(creases_.empty() ? CutSurface() : cutAlong(mesh, Seams(mesh.twin.size(), 0))) {}
+        whole_(cutAlong(mesh, Seams(mesh.twin.size(), 0))),
+        creases_(creasesToBegin(mesh, whole_)) {}
 
   /// `seams`, which `report` describes, were found starting with whole components.
   void run(Seams& seams, SeamReport& report) const {
@@ -211,8 +203,8 @@ class CreaseFinder {
 
   const SeamMesh& mesh_;
   const SeamOptions& options_;
-  const Seams creases_;
   const CutSurface whole_;  ///< its charts are the components
+  const Seams creases_;
 };
 
 /// With seams marked on both sides.

@@ -152,7 +152,7 @@ void PieceCutter::take(const Path& path) {
   for (const SurfaceCorner h : path) {
     if (mesh_.isOnSurface(h)) {
       length_ += mesh_.length[h];
-      cost_ += mesh_.cost[h];
+      cost_ += std::min(mesh_.cost[h], mesh_.length[h]);
     }
     isCut_[h] = isCut_[surface_.twin[h]] = 1;
     cuts_.push_back(h);

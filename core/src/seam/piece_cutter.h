@@ -28,7 +28,7 @@ class PieceCutter {
   const IdVector<PieceId, Piece>& pieces() const { return pieces_; }
   const std::vector<SurfaceCorner>& cuts() const { return cuts_; }
   double length() const { return length_; }  ///< of the visible cuts
-  double cost() const { return cost_; }      ///< theirs, see SeamMesh
+  double cost() const { return cost_; }      ///< theirs, at most their length
 
   /// Cuts from near one point of the loop to near another, at most `reach` away from each. What is
   /// on the right of the cut becomes a new piece, the last one. False if there is no path, or if it

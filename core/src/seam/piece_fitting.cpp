@@ -47,12 +47,12 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
       fit_(fit),
       cutter_(mesh, flat.surface, flat.at),
       charts_(static_cast<int>(cutter_.pieces().size())),
-      mostCost_(mostCost),
       size_(std::sqrt(mesh.totalArea())) {
   for (const CutChartId chart : flat.surface.charts.ids()) {
     const PieceId piece = addPiece();
     shapes_[piece].canCut = flat.canCut[chart] != 0;
     shapes_[piece].density = flat.density[chart];
+    shapes_[piece].mostCost = mostCost;
     // The filling taken out of a hole needs no room.
     if (!mesh.isFilling(flat.surface.charts[chart].firstTriangle)) takeShape(piece);
   }
@@ -249,9 +249,10 @@ bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, 
 bool PieceFitting::cut(const Candidate& c) {
   const Shape& shape = shapes_[c.piece];
   const BoundaryIndex from = shape.ends[c.chord.from], to = shape.ends[c.chord.to];
-  if (!cutter_.split(c.piece, from, to, shape.reach, mostCost_)) return false;
+  if (!cutter_.split(c.piece, from, to, shape.reach, shape.mostCost)) return false;
   const PieceId added = addPiece();
   shapes_[added].density = shapes_[c.piece].density;
+  shapes_[added].mostCost = shapes_[c.piece].mostCost;
   takeShape(c.piece);
   takeShape(added);
   return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -30,7 +31,7 @@ struct LongChart {
 /// Cuts charts until they fit into a square.
 class PieceFitting {
  public:
-  /// `mostCost`: the most that a cut may cost for its length, except across long charts.
+  /// `mostCost`: the most that a cut may cost for its length, except in long charts.
   PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit,
                double mostCost = HUGE_VAL);
   PieceFitting(const PieceFitting& other);  // out of line: there is much to copy
@@ -50,6 +51,9 @@ class PieceFitting {
   std::vector<LongChart> longCharts() const;
   /// Cuts a chart that has not been cut yet across, into that many parts or fewer.
   void cutAcross(const LongChart& chart, int parts);
+
+  /// Lets a long chart be cut in plain sight.
+  void cutAnywhere(const LongChart& chart) { shapes_[chart.piece].mostCost = HUGE_VAL; }
 
   const std::vector<SurfaceCorner>& cuts() const { return cutter_.cuts(); }
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
@@ -88,6 +92,7 @@ class PieceFitting {
     std::optional<std::vector<OutlineChord>> chords;
     double density = 1;
     bool canCut = true;
+    double mostCost = HUGE_VAL;  ///< of a cut, for its length
   };
 
   static constexpr double kCostOfCut = 0.375;
@@ -101,7 +106,6 @@ class PieceFitting {
   PieceCutter cutter_;
   IdVector<PieceId, Shape> shapes_;
   int charts_ = 0;
-  double mostCost_;
   double size_ = 1;
 };
 

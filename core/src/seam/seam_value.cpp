@@ -11,16 +11,21 @@ double SeamPrices::ofStretch(double s) const {
   return stretch * x + inexact * std::min(1.0, std::sqrt(x / kInexact));
 }
 
+double costOfSeams(const SeamMesh& mesh, const Seams& seams) {
+  double sum = 0;
+  for (const SurfaceCorner h : seams.ids())
+    if (seams[h] && mesh.isOnSurface(h)) sum += mesh.cost[h] / 2;
+  return sum;
+}
+
 double costOfAll(const SeamMesh& mesh, const Seams& seams, const CutSurface& s,
                  const Prediction& told, const SeamPrices& prices) {
-  double cost = 0, stretch = 0, area = 0;
-  for (const SurfaceCorner h : seams.ids())
-    if (seams[h] && mesh.isOnSurface(h)) cost += mesh.cost[h] / 2;
+  double stretch = 0, area = 0;
   for (const CutChartId c : s.charts.ids()) {
     area += s.charts[c].area;
     stretch += s.charts[c].area * prices.ofStretch(told.stretch[c]);
   }
-  return area > 0 ? cost / std::sqrt(area) + stretch / area : 0;
+  return area > 0 ? costOfSeams(mesh, seams) / std::sqrt(area) + stretch / area : 0;
 }
 
 IdVector<CutChartId, double> costOfParts(const SeamMesh& mesh, const Seams& seams,

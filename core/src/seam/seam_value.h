@@ -18,6 +18,9 @@ struct SeamPrices {
   static SeamPrices none() { return {0, 0, 0, 0}; }
 };
 
+/// What seams cost, in the mesh's unit.
+double costOfSeams(const SeamMesh& mesh, const Seams& seams);
+
 /// What seams and the stretch of charts cost in all, but not the number of charts.
 double costOfAll(const SeamMesh& mesh, const Seams& seams, const CutSurface& surface,
                  const Prediction& told, const SeamPrices& prices);

@@ -212,6 +212,7 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   auto uncut = fittingOn(kCells);
   const std::vector<LongChart> longCharts = uncut->longCharts();
   if (!longCharts.empty()) uncut = fittingOn(kCellsForLong);
+  for (const LongChart& chart : longCharts) uncut->cutAnywhere(chart);
   RoomSearch search(*uncut, wish, wanted, triesFor(open));
   if (!longCharts.empty())
     search.cutLong(longCharts, std::max(wanted, gainTo(kMostUtilization)), goesOn);
@@ -242,8 +243,10 @@ void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isA
 
 bool isWorth(const AtlasReport& atlas, double seamCost, const UnwrapOptionValues& options) {
   const double ratio = atlas.texelDensity / atlas.uncutTexelDensity;
-  return ratio > 1 && portable::log(ratio) > wishOf(options).seamWorth *
-                                                 PieceFitting::costOf(atlas.packingCuts, seamCost);
+  return ratio > 1 && portable::log(ratio) >
+                          wishOf(options).seamWorth *
+                              PieceFitting::costOf(atlas.packingCuts,
+                                                   std::min(seamCost, atlas.packingCutLength));
 }
 
 }  // namespace abflat
