@@ -39,12 +39,11 @@ struct PathEnd {
 
 class Fairer {
  public:
-  Fairer(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost, PathBounds bounds,
-         Seams& seams, const Pulse& pulse)
+  Fairer(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
+         IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse)
       : mesh_(mesh),
         cost_(cost),
-        width_(std::move(bounds.width)),
-        isBarred_(std::move(bounds.isBarred)),
+        width_(std::move(width)),
         farthest_(kFarthest * std::sqrt(mesh.totalArea())),
         seams_(seams),
         pulse_(pulse),
@@ -213,8 +212,7 @@ class Fairer {
       const double longest = kRounding * (most + distance(start, out[i]));
       stars_.forEachNear(out[i], longest, [&](SurfaceCorner h) {
         const SurfaceVertex v = head(h);
-        const bool isBarred = !isBarred_.empty() && isBarred_[v];
-        if (!isNear_[v] && !isBarred && distance(start, v) <= most) add(v, start);
+        if (!isNear_[v] && distance(start, v) <= most) add(v, start);
       });
     }
     return out;
@@ -331,7 +329,6 @@ class Fairer {
   const SeamMesh& mesh_;
   const IdVector<SurfaceCorner, double>& cost_;
   IdVector<SurfaceCorner, float> width_;
-  const IdVector<SurfaceVertex, std::uint8_t> isBarred_;
   const double farthest_;
   Seams& seams_;
   const Pulse& pulse_;
@@ -367,9 +364,9 @@ double pathCost(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cos
   return sum;
 }
 
-bool fairPaths(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost, PathBounds bounds,
-               Seams& seams, const Pulse& pulse) {
-  return Fairer(mesh, cost, std::move(bounds), seams, pulse).run();
+bool fairPaths(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
+               IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse) {
+  return Fairer(mesh, cost, std::move(width), seams, pulse).run();
 }
 
 }  // namespace abflat

@@ -16,19 +16,12 @@ double pathCost(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cos
 /// The least cost of an edge, relative to its length.
 constexpr double kLeastCost = 0.05;
 
-/// Where seams may move.
-struct PathBounds {
-  /// For each half-edge of a seam, how far its path may move, divided by the path's length; 0: the
-  /// edge stays.
-  IdVector<SurfaceCorner, float> width;
-  IdVector<SurfaceVertex, std::uint8_t> isBarred;  ///< no path moves there; empty: anywhere
-};
-
 /// Redraws each seam between ends and junctions as a cheaper path near its former place. The
 /// junction that a path comes from may slide along other seams. The number of charts and their
-/// topology stay the same. `cost` is that of a seam along a half-edge. False if nothing has
-/// changed.
-bool fairPaths(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost, PathBounds bounds,
-               Seams& seams, const Pulse& pulse = {});
+/// topology stay the same. `cost` is that of a seam along a half-edge. `width` says, for each
+/// half-edge of a seam, how far its path may move, divided by the path's length; 0: the edge stays.
+/// False if nothing has changed.
+bool fairPaths(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
+               IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -82,9 +82,9 @@ TEST_CASE("a path that goes a detour is drawn straight, and stays where it has n
   const double straight = mesh.length[path.front()] * (kSide - 1);
   CHECK(pathCost(mesh, mesh.cost, path) > 1.1 * straight);
   Seams seams = before;
-  CHECK_FALSE(fairPaths(mesh, mesh.cost, {everywhere(seams, 0), {}}, seams));
+  CHECK_FALSE(fairPaths(mesh, mesh.cost, everywhere(seams, 0), seams));
   CHECK(seams == before);
-  CHECK(fairPaths(mesh, mesh.cost, {everywhere(seams, 0.2f), {}}, seams));
+  CHECK(fairPaths(mesh, mesh.cost, everywhere(seams, 0.2f), seams));
   CHECK(costOf(mesh.cost, seams) == Approx(straight));
   CHECK(chartsOf(c, seams).size() == 2);
 }
@@ -101,7 +101,7 @@ TEST_CASE("one of two paths as long is taken that turns less", "[fair]") {
   const double before = pathCost(mesh, mesh.cost, markedPath(mesh, places, staircase));
   seams = staircase;
   // Both ends lie inside, so they stay.
-  CHECK(fairPaths(mesh, mesh.cost, {everywhere(seams, 0.4f), {}}, seams));
+  CHECK(fairPaths(mesh, mesh.cost, everywhere(seams, 0.4f), seams));
   CHECK(costOf(mesh.cost, seams) == Approx(costOf(mesh.cost, staircase)));
   CHECK(before > 1.2 * costOf(mesh.cost, seams));
 }
@@ -113,7 +113,7 @@ TEST_CASE("a crease is taken and not the flat beside it", "[fair]") {
   std::vector<std::array<unsigned, 2>> places;
   for (unsigned j = 0; j < kSide; ++j) places.push_back({9, j});
   markedPath(mesh, places, seams);
-  CHECK(fairPaths(mesh, mesh.cost, {everywhere(seams, 0.3f), {}}, seams));
+  CHECK(fairPaths(mesh, mesh.cost, everywhere(seams, 0.3f), seams));
   for (const SurfaceCorner h : seams.ids())
     if (seams[h]) CHECK(mesh.vertexOfCorner[h] % kSide == 11);
 }
@@ -134,7 +134,7 @@ TEST_CASE("fairing keeps charts and their topology, and lowers what seams cost",
     for (const float width : {0.05f, 0.2f, 1.0f}) {
       CAPTURE(seed, width);
       Seams seams = before;
-      CHECK(fairPaths(mesh, cost, {everywhere(seams, width), {}}, seams));
+      CHECK(fairPaths(mesh, cost, everywhere(seams, width), seams));
       CHECK(costOf(cost, seams) < costOf(cost, before));
       const std::vector<PolygonMesh> charts = chartsOf(c, seams);
       CHECK(charts.size() == chartsOf(c, before).size());
