@@ -1,5 +1,6 @@
 #include "seam/find_symmetric.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -20,7 +21,7 @@ constexpr double kSymmetric = 0.95;
 
 /// Seams to begin with have those of one side on both. The plane is added to narrow charts, or to
 /// all but very broad ones.
-constexpr double kNarrow = 0.15, kBroad = 1;
+constexpr double kNarrow = 0.2, kBroad = 0.8;
 
 /// The seams of one search, with what is known of them.
 struct FoundSymmetric {

@@ -40,9 +40,9 @@ struct SharedRun {
 /// What is joined together or not at all: a run, and its image if it has another one.
 using RunsTogether = std::vector<SharedRun>;
 
-/// For charts that are joined with their own images, across the plane of symmetry: nothing else
-/// takes away the seam there, which is in plain sight.
-constexpr double kMostRoomOfImages = 1.25, kOfBoundForImages = 1;
+/// Limits for what has a mirror image, which leaves fewer ways to join charts. Nothing but joining
+/// a chart with its own image takes away the seam in the plane of symmetry.
+constexpr double kMostRoomOfImages = 1.25, kOfBoundInPlane = 1;
 
 /// What would be joined, on a surface of its own, or on the whole surface if that is mostly what is
 /// joined.
@@ -280,14 +280,9 @@ class Merger {
     return {run, std::move(image)};
   }
 
-  /// Whether the run is in plain sight between a chart and its image.
-  bool isBetweenImages(const SharedRun& run) const {
-    return isInPlane(run) && !(run.cost < kHardlyHidden * run.length);
-  }
-
   double mostRoom(const SharedRun& run) const {
-    if (isBetweenImages(run)) return kMostRoomOfImages;
-    return isHinge_ ? kMostRoomOfHinged : kMostRoom;
+    if (isHinge_) return kMostRoomOfHinged;
+    return hasImage(run) ? kMostRoomOfImages : kMostRoom;
   }
 
   /// The longest promising runs, no two of which share a chart, with their images.
@@ -420,7 +415,7 @@ class Merger {
     // What is cut is cut for good reasons, so no union may come near the bound. One that is joined
     // only along a part of its seam is not stretched more than its charts are.
     constexpr double kMuch = 0.7, kNearlyAll = 0.95;
-    const double ofBound = isInPlane(runs.front()) ? kOfBoundForImages
+    const double ofBound = isInPlane(runs.front()) ? kOfBoundInPlane
                            : isHinge_              ? kNearlyAll
                                                    : kMuch;
     const CutSurface& s = trial.joined;
