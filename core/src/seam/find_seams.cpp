@@ -112,6 +112,10 @@ SeamReport inWhole(const SeamPart& part, SeamReport report) {
   report.scale = part.toWhole(report.scale);
   report.foundScale = part.toWhole(report.foundScale);
   report.mirror = report.mirror.ofWhole(part);
+  KnownSeams& x = report.otherwise;
+  if (x.seams.empty()) return report;
+  x = {part.toWhole(x.seams), part.toWhole(x.found), part.toWhole(x.scale),
+       part.toWhole(x.foundScale)};
   return report;
 }
 

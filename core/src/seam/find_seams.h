@@ -42,6 +42,12 @@ enum class Asymmetry : std::uint8_t {
   SeamsGiven,  ///< there were seams before
 };
 
+/// Seams, and the scale expected for them.
+struct KnownSeams {
+  Seams seams, found;  ///< now, and before they were shortened
+  LogScales scale, foundScale;
+};
+
 struct SeamReport {
   std::uint32_t charts = 0;
   double seamLength = 0;  ///< in 3D, over sqrt(surface area)
@@ -56,7 +62,8 @@ struct SeamReport {
   LogScales scale;                    ///< expected log-scale
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
   bool cancelled = false;
-  Mirror mirror;  ///< what symmetric seams are symmetric to
+  Mirror mirror;         ///< what symmetric seams are symmetric to
+  KnownSeams otherwise;  ///< the seams that symmetric ones were preferred to
   Asymmetry asymmetry = Asymmetry::None;
 };
 

@@ -21,7 +21,7 @@ constexpr double kSymmetric = 0.95;
 
 /// Seams to begin with have those of one side on both. The plane is added to narrow charts, or to
 /// all but very broad ones.
-constexpr double kNarrow = 0.2, kBroad = 0.8;
+constexpr double kNarrow = 0.15, kBroad = 1;
 
 /// The seams of one search, with what is known of them.
 struct FoundSymmetric {
@@ -77,9 +77,12 @@ class SymmetricFinder {
     if (report.cancelled) return;
     if (!best) report.asymmetry = Asymmetry::NoSeams;
     if (!best || !(isForced() || isPreferable(*best, seams, report))) return;
+    KnownSeams otherwise{std::move(seams), std::move(report.found), std::move(report.scale),
+                         std::move(report.foundScale)};
     seams = std::move(best->seams);
     // A chart must be solved in the same order whenever it is found.
     best->report.eliminationRanks = std::move(report.eliminationRanks);
+    if (!isForced()) best->report.otherwise = std::move(otherwise);
     report = std::move(best->report);
     report.mirror = std::move(mirror_);
   }

@@ -40,8 +40,8 @@ struct SharedRun {
 /// What is joined together or not at all: a run, and its image if it has another one.
 using RunsTogether = std::vector<SharedRun>;
 
-/// Limits for what has a mirror image, which leaves fewer ways to join charts. Nothing but joining
-/// a chart with its own image takes away the seam in the plane of symmetry.
+/// Limits for charts that are joined together with their images, which leaves fewer ways to join
+/// them, or with their own images: nothing else takes away a seam in the plane of symmetry.
 constexpr double kMostRoomOfImages = 1.25, kOfBoundInPlane = 1;
 
 /// What would be joined, on a surface of its own, or on the whole surface if that is mostly what is
@@ -281,8 +281,10 @@ class Merger {
   }
 
   double mostRoom(const SharedRun& run) const {
+    // In plain sight between a chart and its image.
+    if (isInPlane(run) && !(run.cost < kHardlyHidden * run.length)) return kMostRoomOfImages;
     if (isHinge_) return kMostRoomOfHinged;
-    return hasImage(run) ? kMostRoomOfImages : kMostRoom;
+    return hasImage(run) && !isOwnImage(run) ? kMostRoomOfImages : kMostRoom;
   }
 
   /// The longest promising runs, no two of which share a chart, with their images.

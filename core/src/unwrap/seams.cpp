@@ -173,6 +173,7 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
     open.found = std::move(found.found);
     open.foundScale = std::move(found.foundScale);
     open.mirror = std::move(found.mirror);
+    open.otherwise = std::move(found.otherwise);
     return;
   }
   const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
@@ -258,6 +259,26 @@ IdVector<CutChartId, double> withImages(const OpenSurface& open, const CutSurfac
   return out;
 }
 
+/// Whether much of the surface, cut symmetrically, was stretched much more than expected.
+bool isWorseThanExpected(const OpenSurface& open, const CutSurface& s,
+                         const IdVector<CutChartId, double>& excess) {
+  constexpr double kMuchMore = 1.35, kMuch = 0.5;
+  double area = 0;
+  for (const CutChartId c : s.charts.ids())
+    if (excess[c] > kMuchMore) area += s.charts[c].area;
+  return !open.otherwise.seams.empty() && area > kMuch * open.mesh.totalArea();
+}
+
+/// Goes back to the seams that symmetric ones were preferred to.
+void takeOther(OpenSurface& open) {
+  open.mirror = Mirror();
+  open.seams = std::move(open.otherwise.seams);
+  open.found = std::move(open.otherwise.found);
+  open.scale = std::move(open.otherwise.scale);
+  open.foundScale = std::move(open.otherwise.foundScale);
+  open.otherwise = KnownSeams();
+}
+
 std::string asymmetryNote(Asymmetry why) {
   const std::string what = "seams are not symmetric: ";
   if (why == Asymmetry::NoPlane) return what + "the mesh is not its own mirror image";
@@ -319,6 +340,11 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
                                              : above(charts[i].stretch) / told;
     excess[c] = std::min(found, std::max(kMost, leastToCut));
   }
+  if (isWorseThanExpected(open, s, excess)) {
+    takeOther(open);
+    return true;
+  }
+  open.otherwise = KnownSeams();
   excess = withImages(open, s, std::move(excess));
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (const SurfaceTriangle f : open.mesh.triangles())
