@@ -114,8 +114,10 @@ SeamReport inWhole(const SeamPart& part, SeamReport report) {
   report.mirror = report.mirror.ofWhole(part);
   KnownSeams& x = report.otherwise;
   if (x.seams.empty()) return report;
-  x = {part.toWhole(x.seams), part.toWhole(x.found), part.toWhole(x.scale),
-       part.toWhole(x.foundScale)};
+  x.seams = part.toWhole(x.seams);
+  x.found = part.toWhole(x.found);
+  x.scale = part.toWhole(x.scale);
+  x.foundScale = part.toWhole(x.foundScale);
   return report;
 }
 

@@ -78,7 +78,7 @@ class SymmetricFinder {
     if (!best) report.asymmetry = Asymmetry::NoSeams;
     if (!best || !(isForced() || isPreferable(*best, seams, report))) return;
     KnownSeams otherwise{std::move(seams), std::move(report.found), std::move(report.scale),
-                         std::move(report.foundScale)};
+                         std::move(report.foundScale), report.charts, report.stretch};
     seams = std::move(best->seams);
     // A chart must be solved in the same order whenever it is found.
     best->report.eliminationRanks = std::move(report.eliminationRanks);

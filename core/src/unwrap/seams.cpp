@@ -221,6 +221,22 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked,
   return open;
 }
 
+Seams visibleOf(const OpenSurface& open, const Seams& seams) {
+  Seams out = open.given;
+  for (const SurfaceCorner h : out.ids())
+    out[h] = out[h] || (seams[h] && open.mesh.isOnSurface(h));
+  return out;
+}
+
+double costOfVisible(const OpenSurface& open, const Seams& seams) {
+  const double size = std::sqrt(open.mesh.totalArea());
+  double sum = 0;
+  const Seams visible = visibleOf(open, seams);
+  for (const SurfaceCorner h : visible.ids())
+    if (visible[h]) sum += open.mesh.cost[h] / 2;
+  return size > 0 ? sum / size : 0;
+}
+
 /// Cuts flat regions with holes out along their creases, if that costs less than seams through
 /// them.
 void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
@@ -235,8 +251,12 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
                                keepsOn, report, &open);
   if (report.cancelled) found.cancelled = true;
   const SeamPrices prices = seamOptions(options, open, pool, keepsOn).prices;
+  // Of symmetric seams less is known than of those that they were preferred to.
   const auto costOf = [&](const OpenSurface& x, const SeamReport& told) {
-    return seamCost(x) + prices.chart * told.charts + prices.ofStretch(told.stretch);
+    const KnownSeams& sure = x.otherwise;
+    if (sure.seams.empty())
+      return seamCost(x) + prices.chart * told.charts + prices.ofStretch(told.stretch);
+    return costOfVisible(x, sure.seams) + prices.chart * sure.charts + prices.ofStretch(sure.stretch);
   };
   if (report.cancelled || !(costOf(other, report) < costOf(open, found))) return;
   open = std::move(other);
@@ -405,12 +425,7 @@ ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   return out;
 }
 
-Seams visibleSeams(const OpenSurface& open) {
-  Seams out = open.given;
-  for (const SurfaceCorner h : out.ids())
-    out[h] = out[h] || (open.seams[h] && open.mesh.isOnSurface(h));
-  return out;
-}
+Seams visibleSeams(const OpenSurface& open) { return visibleOf(open, open.seams); }
 
 void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary) {
   double length = 0;
@@ -424,14 +439,7 @@ void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& su
   summary.relativeLength = size > 0 ? length / size : 0;
 }
 
-double seamCost(const OpenSurface& open) {
-  const double size = std::sqrt(open.mesh.totalArea());
-  double sum = 0;
-  const Seams visible = visibleSeams(open);
-  for (const SurfaceCorner h : visible.ids())
-    if (visible[h]) sum += open.mesh.cost[h] / 2;
-  return size > 0 ? sum / size : 0;
-}
+double seamCost(const OpenSurface& open) { return costOfVisible(open, open.seams); }
 
 double seamLength(const OpenSurface& open) {
   SeamSummary out;
