@@ -112,3 +112,16 @@ for (const [file, axis] of [
     const share = mirroredShare(layout, { normal, distance: 0 });
     assert.ok(share > SHARE, `${share}`);
   });
+
+test('a cow has no seam down the middle of its face', { skip: withoutShared }, async (t) => {
+  const at = tempFolder(t);
+  await runAbflat(['unwrap', sharedMesh('../meshes2/cow.obj'), '-o', at('out.obj'), '-q']);
+  const { cuts } = chartedLayout(parseObj(readFileSync(at('out.obj'), 'utf8')));
+  const FACE = 50; // in front of the horns; the cow looks along x
+  const isInMiddle = ([x, , z]) => x > FACE && Math.abs(z) < 1e-3;
+  assert.ok(cuts.some(({ a }) => a[0] > FACE));
+  assert.deepEqual(
+    cuts.filter(({ a, b }) => isInMiddle(a) && isInMiddle(b)),
+    [],
+  );
+});

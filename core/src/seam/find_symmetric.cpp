@@ -14,8 +14,8 @@
 namespace abflat {
 namespace {
 
-/// Mean stretch, less 1, of charts that nearly all unroll.
-constexpr double kExact = 2e-3;
+/// Mean stretch, less 1, of charts that nearly unroll.
+constexpr double kExact = 0.01;
 /// Mirrored share of seams that are symmetric but for a few edges.
 constexpr double kSymmetric = 0.95;
 
@@ -54,41 +54,57 @@ class SymmetricFinder {
   }
 
   void run(Seams& seams, SeamReport& report) {
-    const std::vector<Seams> beginnings = beginningsFrom(report.found);
+    std::optional<FoundSymmetric> found = find(report);
+    if (report.cancelled) return;
+    if (!found) report.asymmetry = Asymmetry::NoSeams;
+    if (!found || !(isForced() || isPreferable(*found, seams, report))) return;
+    KnownSeams otherwise{std::move(seams),
+                         std::move(report.found),
+                         std::move(report.scale),
+                         std::move(report.foundScale),
+                         report.charts,
+                         report.stretch};
+    seams = std::move(found->seams);
+    // A chart must be solved in the same order whenever it is found.
+    found->report.eliminationRanks = std::move(report.eliminationRanks);
+    if (!isForced()) found->report.otherwise = std::move(otherwise);
+    report = std::move(found->report);
+    report.mirror = std::move(mirror_);
+  }
+
+ private:
+  bool isForced() const { return options_.symmetricSeams == SymmetricSeams::Always; }
+
+  /// Finishes all searches if symmetric seams are wanted whatever they cost, otherwise only the one
+  /// that is cheapest once charts are joined.
+  std::optional<FoundSymmetric> find(SeamReport& report) const {
     SeamOptions options = options_;
     options.eliminationRanks = report.eliminationRanks;
     options.mirror = mirror_;
     std::optional<FoundSymmetric> best;
     std::unique_ptr<SymmetricSearch> cheapest;
     double least = HUGE_VAL;
-    for (const Seams& first : beginnings) {
-      options.first = first;
-      auto search = std::make_unique<SymmetricSearch>(dear_, options);
-      const double price = priceOf(dear_, search->search.joined(), search->search.scale());
-      if (isForced()) finish(*search, best);
-      if (search->report.cancelled) report.cancelled = true;
-      if (report.cancelled) return;
+    const auto finishOne = [&](SymmetricSearch& search) {
+      finish(search, best);
+      report.cancelled = report.cancelled || search.report.cancelled;
+    };
+    for (Seams& first : beginningsFrom(report.found)) {
+      options.first = std::move(first);
+      auto now = std::make_unique<SymmetricSearch>(dear_, options);
+      if (isForced()) finishOne(*now);
+      if (report.cancelled || now->report.cancelled) {
+        report.cancelled = true;
+        return {};
+      }
+      if (isForced()) continue;
+      const double price = priceOf(dear_, now->search.joined(), now->search.scale());
       if (!(price < least)) continue;
       least = price;
-      cheapest = std::move(search);
+      cheapest = std::move(now);
     }
-    if (!isForced()) finish(*cheapest, best);
-    if (cheapest->report.cancelled) report.cancelled = true;
-    if (report.cancelled) return;
-    if (!best) report.asymmetry = Asymmetry::NoSeams;
-    if (!best || !(isForced() || isPreferable(*best, seams, report))) return;
-    KnownSeams otherwise{std::move(seams), std::move(report.found), std::move(report.scale),
-                         std::move(report.foundScale), report.charts, report.stretch};
-    seams = std::move(best->seams);
-    // A chart must be solved in the same order whenever it is found.
-    best->report.eliminationRanks = std::move(report.eliminationRanks);
-    if (!isForced()) best->report.otherwise = std::move(otherwise);
-    report = std::move(best->report);
-    report.mirror = std::move(mirror_);
+    if (cheapest) finishOne(*cheapest);
+    return best;
   }
-
- private:
-  bool isForced() const { return options_.symmetricSeams == SymmetricSeams::Always; }
 
   std::vector<Seams> beginningsFrom(const Seams& found) const {
     std::vector<Seams> out;

@@ -275,7 +275,8 @@ IdVector<CutChartId, double> withImages(const OpenSurface& open, const CutSurfac
   }
   IdVector<CutChartId, double> out = excess;
   for (const CutChartId c : image.ids())
-    if (image[c].exists()) out[image[c]] = std::max(out[image[c]], excess[c]);
+    if (image[c].exists() && image[image[c]] == c)
+      out[image[c]] = std::max(out[image[c]], excess[c]);
   return out;
 }
 
