@@ -6,9 +6,9 @@
 
 namespace abflat {
 
-/// A search for the seams of a mesh that can be given up half way. It cuts in rounds. A chart that a
-/// round leaves unchanged is done; the rounds continue with only the others as soon as they make up
-/// much less than the whole.
+/// A search for the seams of a mesh that can be given up half way. It cuts in rounds. A chart that
+/// a round leaves unchanged is done; the rounds continue with only the others as soon as they make
+/// up much less than the whole.
 class SeamSearch {
  public:
   /// `given` seams are marked on both sides. What is passed by reference has to outlive the search.

@@ -58,12 +58,9 @@ class SymmetricFinder {
     if (report.cancelled) return;
     if (!found) report.asymmetry = Asymmetry::NoSeams;
     if (!found || !(isForced() || isPreferable(*found, seams, report))) return;
-    KnownSeams otherwise{std::move(seams),
-                         std::move(report.found),
-                         std::move(report.scale),
-                         std::move(report.foundScale),
-                         report.charts,
-                         report.stretch};
+    KnownSeams otherwise{std::move(seams),        std::move(report.found),
+                         std::move(report.scale), std::move(report.foundScale),
+                         report.charts,           report.stretch};
     seams = std::move(found->seams);
     // A chart must be solved in the same order whenever it is found.
     found->report.eliminationRanks = std::move(report.eliminationRanks);
@@ -143,7 +140,8 @@ class SymmetricFinder {
     return {all, flat};
   }
 
-  bool isPreferable(const FoundSymmetric& found, const Seams& seams, const SeamReport& report) const {
+  bool isPreferable(const FoundSymmetric& found, const Seams& seams,
+                    const SeamReport& report) const {
     constexpr double kMore = 1.1, kMoreCharts = 1.25;
     constexpr std::uint32_t kPair = 2;
     const std::pair<double, double> now = lengthsOf(found.seams), before = lengthsOf(seams);

@@ -100,7 +100,8 @@ class Merger {
 
   double mostRoom(const SharedRun& run) const {
     // In plain sight between a chart and its image.
-    if (images_.isInPlane(run) && !(run.cost < kHardlyHidden * run.length)) return kMostRoomOfImages;
+    if (images_.isInPlane(run) && !(run.cost < kHardlyHidden * run.length))
+      return kMostRoomOfImages;
     if (isHinge_) return kMostRoomOfHinged;
     return images_.has(run) && !images_.isOwn(run) ? kMostRoomOfImages : kMostRoom;
   }
@@ -179,8 +180,8 @@ class Merger {
     // only along a part of its seam is not stretched more than its charts are.
     constexpr double kMuch = 0.7, kNearlyAll = 0.95;
     const double ofBound = images_.isInPlane(runs.front()) ? kOfBoundInPlane
-                           : isHinge_              ? kNearlyAll
-                                                   : kMuch;
+                           : isHinge_                      ? kNearlyAll
+                                                           : kMuch;
     const CutSurface& s = trial.joined();
     const CutChartId chart = trial.joinedAt(runs.front());
     if (!s.charts[chart].isDisk() ||
@@ -196,7 +197,8 @@ class Merger {
         shape.fill < (isHinge_ ? kLeastFill : options_.leastFill))
       return false;
     double room = 0;
-    for (const CutChartId part : trial.partsOf(runs)) room += hullArea(outline(trial.apart(), part));
+    for (const CutChartId part : trial.partsOf(runs))
+      room += hullArea(outline(trial.apart(), part));
     if (shape.extent > (isHinge_ ? longest_ : options_.longest)) return false;
     return hullArea(whole) <= mostRoom(runs.front()) * room;
   }

@@ -223,8 +223,7 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked,
 
 Seams visibleOf(const OpenSurface& open, const Seams& seams) {
   Seams out = open.given;
-  for (const SurfaceCorner h : out.ids())
-    out[h] = out[h] || (seams[h] && open.mesh.isOnSurface(h));
+  for (const SurfaceCorner h : out.ids()) out[h] = out[h] || (seams[h] && open.mesh.isOnSurface(h));
   return out;
 }
 
@@ -256,7 +255,8 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
     const KnownSeams& sure = x.otherwise;
     if (sure.seams.empty())
       return seamCost(x) + prices.chart * told.charts + prices.ofStretch(told.stretch);
-    return costOfVisible(x, sure.seams) + prices.chart * sure.charts + prices.ofStretch(sure.stretch);
+    return costOfVisible(x, sure.seams) + prices.chart * sure.charts +
+           prices.ofStretch(sure.stretch);
   };
   if (report.cancelled || !(costOf(other, report) < costOf(open, found))) return;
   open = std::move(other);
