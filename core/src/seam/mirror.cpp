@@ -137,7 +137,7 @@ void findSides(const SeamMesh& mesh, const MirrorPlane& plane, const VertexImage
   double unmatched = 0;  // on the side 1, less that on the other one
   for (const SurfaceVertex v : mesh.vertices()) {
     const double off = plane.of(placeOf(mesh, v));
-    out.side.push_back(image[v] == v || off == 0 ? 0 : off > 0 ? 1 : -1);
+    out.side.push_back(static_cast<std::int8_t>(image[v] == v || off == 0 ? 0 : off > 0 ? 1 : -1));
     if (!image[v].exists()) unmatched += out.side[v] * mesh.vertexArea[v];
   }
   if (unmatched > 0)

@@ -115,6 +115,55 @@ TEST_CASE("a mesh that is not its own image has no plane of symmetry", "[seams][
   CHECK_FALSE(findMirror(Cuttable(bumpyGrid(9, 7, 0.0, 3)).seamMesh));
 }
 
+TEST_CASE("the plane is cut only in charts that are narrow for its length", "[seams][symmetry]") {
+  const Cuttable c(symmetricAnimal());
+  const SeamMesh& mesh = c.seamMesh;
+  const Mirror mirror = findMirror(mesh);
+  REQUIRE(mirror);
+  const Seams none(mesh.twin.size(), 0);
+  Seams seams = none;
+  cutAlongPlane(mesh, mirror, 1e-3, seams);
+  CHECK(seams == none);
+  cutAlongPlane(mesh, mirror, 1e3, seams);
+  CHECK(cutAlong(mesh, seams).charts.size() == 2);
+  for (const SurfaceCorner h : seams.ids())
+    if (seams[h]) REQUIRE(mirror.sideOf(mesh, h) == 0);
+}
+
+TEST_CASE("images of cuts are cut as well, if that leaves disks", "[seams][symmetry]") {
+  const Cuttable c(symmetricAnimal());
+  const SeamMesh& mesh = c.seamMesh;
+  const Mirror mirror = findMirror(mesh);
+  REQUIRE(mirror);
+  Seams before(mesh.twin.size(), 0);
+  const auto isBesidePlane = [&](SurfaceCorner h) {
+    return mirror.side[mesh.tail(h)] == 0 && mirror.sideOf(mesh, h) == 1;
+  };
+  const auto found = std::find_if(before.ids().begin(), before.ids().end(), isBesidePlane);
+  REQUIRE(found != before.ids().end());
+  const SurfaceCorner slit = *found;
+  for (const bool isPlaneCut : {false, true}) {
+    if (isPlaneCut) cutAlongPlane(mesh, mirror, 1e3, before);
+    Seams seams = before;
+    seams[slit] = seams[mesh.twin[slit]] = 1;
+    // Both slits begin at the same vertex, so together they are one, and the rest is a disk.
+    CHECK(addImages(mesh, mirror, before, seams, {}).size() == 2);
+    CHECK(mirroredShare(mesh, mirror, seams) == 1);
+    for (const CutSurface::Chart& chart : cutAlong(mesh, seams).charts) CHECK(chart.isDisk());
+  }
+  // An edge far from its image would leave a ring.
+  const auto isFar = [&](SurfaceCorner h) {
+    return mirror.side[mesh.tail(h)] == 1 && mirror.side[mesh.head(h)] == 1;
+  };
+  const SurfaceCorner far = *std::find_if(before.ids().begin(), before.ids().end(), isFar);
+  const Seams none(mesh.twin.size(), 0);
+  Seams seams = none;
+  seams[far] = seams[mesh.twin[far]] = 1;
+  const Seams alone = seams;
+  CHECK(addImages(mesh, mirror, none, seams, {}).empty());
+  CHECK(seams == alone);
+}
+
 TEST_CASE("seams of a symmetric mesh are symmetric where that is asked for",
           "[seams][symmetry][quality]") {
   const PolygonMesh mesh = symmetricAnimal();
