@@ -46,8 +46,6 @@ enum class Asymmetry : std::uint8_t {
 struct KnownSeams {
   Seams seams, found;  ///< now, and before they were shortened
   LogScales scale, foundScale;
-  std::uint32_t charts = 0;
-  double stretch = 1;  ///< predicted
 };
 
 struct SeamReport {

@@ -58,9 +58,8 @@ class SymmetricFinder {
     if (report.cancelled) return;
     if (!found) report.asymmetry = Asymmetry::NoSeams;
     if (!found || !(isForced() || isPreferable(*found, seams, report))) return;
-    KnownSeams otherwise{std::move(seams),        std::move(report.found),
-                         std::move(report.scale), std::move(report.foundScale),
-                         report.charts,           report.stretch};
+    KnownSeams otherwise{std::move(seams), std::move(report.found), std::move(report.scale),
+                         std::move(report.foundScale)};
     seams = std::move(found->seams);
     // A chart must be solved in the same order whenever it is found.
     found->report.eliminationRanks = std::move(report.eliminationRanks);
@@ -125,8 +124,7 @@ class SymmetricFinder {
   }
 
   double priceOf(const SeamMesh& mesh, const Seams& seams, const LogScales& u) const {
-    const IdVector<SurfaceTriangle, CutChartId> all(mesh.triangleCount(), CutChartId(0));
-    return costOfParts(mesh, seams, u, options_.maxStretch, all, 1, options_.prices).front();
+    return costOfWhole(mesh, seams, u, options_.maxStretch, options_.prices);
   }
 
   /// Length of the seams, and of those in flat faces, where nothing hides them.

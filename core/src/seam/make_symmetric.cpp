@@ -50,10 +50,8 @@ class SymmetryMaker {
     if (openTouchedHoles(mesh_, s, work_.options.fillHoles, seams)) s = cutAlong(mesh_, seams);
     LogScales u = work_.scale.solve(s, {});
     if (u.empty() || !areFine(s, u)) return {};
-    const IdVector<SurfaceTriangle, CutChartId> all(mesh_.triangleCount(), CutChartId(0));
     const double cost =
-        costOfParts(mesh_, seams, u, work_.options.maxStretch, all, 1, work_.options.prices)
-            .front();
+        costOfWhole(mesh_, seams, u, work_.options.maxStretch, work_.options.prices);
     return Symmetric{std::move(seams), std::move(u), cost};
   }
 

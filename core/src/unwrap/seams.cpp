@@ -221,21 +221,6 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked,
   return open;
 }
 
-Seams visibleOf(const OpenSurface& open, const Seams& seams) {
-  Seams out = open.given;
-  for (const SurfaceCorner h : out.ids()) out[h] = out[h] || (seams[h] && open.mesh.isOnSurface(h));
-  return out;
-}
-
-double costOfVisible(const OpenSurface& open, const Seams& seams) {
-  const double size = std::sqrt(open.mesh.totalArea());
-  double sum = 0;
-  const Seams visible = visibleOf(open, seams);
-  for (const SurfaceCorner h : visible.ids())
-    if (visible[h]) sum += open.mesh.cost[h] / 2;
-  return size > 0 ? sum / size : 0;
-}
-
 /// Cuts flat regions with holes out along their creases, if that costs less than seams through
 /// them.
 void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
@@ -249,16 +234,19 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   OpenSurface other = openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool,
                                keepsOn, report, &open);
   if (report.cancelled) found.cancelled = true;
-  const SeamPrices prices = seamOptions(options, open, pool, keepsOn).prices;
+  const SeamOptions how = seamOptions(options, open, pool, keepsOn);
   // Of symmetric seams less is known than of those that they were preferred to.
-  const auto costOf = [&](const OpenSurface& x, const SeamReport& told) {
-    const KnownSeams& sure = x.otherwise;
-    if (sure.seams.empty())
-      return seamCost(x) + prices.chart * told.charts + prices.ofStretch(told.stretch);
-    return costOfVisible(x, sure.seams) + prices.chart * sure.charts +
-           prices.ofStretch(sure.stretch);
+  const auto costOf = [&](const OpenSurface& x) {
+    const bool isSure = x.otherwise.seams.empty();
+    return costOfWhole(x.mesh, isSure ? x.seams : x.otherwise.seams,
+                       isSure ? x.scale : x.otherwise.scale, how.maxStretch, how.prices);
   };
-  if (report.cancelled || !(costOf(other, report) < costOf(open, found))) return;
+  // On the surface that is open there, the borders no longer know what they cost.
+  double ofBorders = 0;
+  for (const SurfaceCorner h : borders.ids())
+    if (borders[h] && !other.mesh.twin[h].exists()) ofBorders += open.mesh.cost[h] / 2;
+  ofBorders /= std::sqrt(open.mesh.totalArea());
+  if (report.cancelled || !(costOf(other) + ofBorders < costOf(open))) return;
   open = std::move(other);
   found = std::move(report);
 }
@@ -426,7 +414,12 @@ ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   return out;
 }
 
-Seams visibleSeams(const OpenSurface& open) { return visibleOf(open, open.seams); }
+Seams visibleSeams(const OpenSurface& open) {
+  Seams out = open.given;
+  for (const SurfaceCorner h : out.ids())
+    out[h] = out[h] || (open.seams[h] && open.mesh.isOnSurface(h));
+  return out;
+}
 
 void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary) {
   double length = 0;
@@ -440,7 +433,14 @@ void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& su
   summary.relativeLength = size > 0 ? length / size : 0;
 }
 
-double seamCost(const OpenSurface& open) { return costOfVisible(open, open.seams); }
+double seamCost(const OpenSurface& open) {
+  const double size = std::sqrt(open.mesh.totalArea());
+  double sum = 0;
+  const Seams visible = visibleSeams(open);
+  for (const SurfaceCorner h : visible.ids())
+    if (visible[h]) sum += open.mesh.cost[h] / 2;
+  return size > 0 ? sum / size : 0;
+}
 
 double seamLength(const OpenSurface& open) {
   SeamSummary out;
