@@ -34,6 +34,7 @@
 #include "unwrap/seams.h"
 #include "unwrap/spacing.h"
 #include "unwrap/turned.h"
+#include "unwrap/unseen.h"
 
 namespace abflat {
 namespace {
@@ -136,6 +137,7 @@ class Unwrapping {
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
+    if (fixed_.isFixed.empty()) hideUnseen();
     Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
         {welded_, unit_, surface_}, {given.value, hard, scales, fixed_}, options_, *pool_,
@@ -144,6 +146,16 @@ class Unwrapping {
     monitor_.tellAgain();
     if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);
     return {};
+  }
+
+  /// Until the layout is checked.
+  void hideUnseen() {
+    Smoothed smoothed = withoutUnseen(welded_, surface_, options_, unit_, pulse_);
+    if (std::string note = unseenNote(smoothed); !note.empty())
+      report_.notes.push_back(std::move(note));
+    if (smoothed.triangles == 0) return;
+    truePositions_ = std::move(welded_.mesh.positions);
+    welded_.mesh.positions = std::move(smoothed.positions);
   }
 
   /// Flattens all charts, and cuts those further that are stretched more than predicted.
@@ -410,6 +422,7 @@ class Unwrapping {
     charts_.set = ChartSet();
     surface_ = Surface();
     texcoords_ = Texcoords();
+    if (!truePositions_.empty()) welded_.mesh.positions = std::move(truePositions_);
     certify(input_, welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
     if (options_.roundsForGltf) return {};
     if (std::string note = foldedFansNote(input_, out_); !note.empty())
@@ -426,6 +439,7 @@ class Unwrapping {
   UnwrapResult out_;
   UnwrapReport& report_ = out_.report;
   WeldedMesh welded_;
+  std::vector<double> truePositions_;  ///< positions of the welded mesh, if it has others meanwhile
   Surface surface_;
   std::unique_ptr<ThreadPool> pool_;
   FixedTriangles fixed_;

@@ -1,0 +1,42 @@
+#include "unwrap/unseen.h"
+
+#include <cmath>
+#include <string>
+
+#include "base/long_sum.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+constexpr double kUnseenTexels = 2;
+
+/// Length of a texel on the surface, in units of the welded mesh. Without a density asked for, it
+/// is what charts have that cover a usual share of the atlas.
+double texelOn(const WeldedMesh& welded, const Surface& surface, const UnwrapOptions& options,
+               double unit) {
+  if (options.texelDensity != kAutoTexelDensity) return 1 / (options.texelDensity * unit);
+  constexpr double kUsualUtilization = 0.6;
+  LongSum area;
+  for (const SurfaceTriangle f : surface.table.triangles())
+    area.add(areaOf(welded.mesh.positions, verticesOf(surface.table.vertex, f)));
+  return std::sqrt(area.value() / kUsualUtilization) / options.resolution;
+}
+
+}  // namespace
+
+Smoothed withoutUnseen(const WeldedMesh& welded, const Surface& surface,
+                       const UnwrapOptions& options, double unit, const Pulse& pulse) {
+  const double reach = kUnseenTexels * texelOn(welded, surface, options, unit);
+  return smoothNoise(welded.mesh, surface, reach, pulse);
+}
+
+std::string unseenNote(const Smoothed& smoothed) {
+  if (smoothed.triangles == 0) return {};
+  return "steps and grain of less than " + std::to_string(static_cast<int>(kUnseenTexels)) +
+         " texels in " + std::to_string(smoothed.triangles) +
+         (smoothed.triangles == 1 ? " triangle" : " triangles") +
+         " are taken for smooth, by seams, flattening and the stretch reported here";
+}
+
+}  // namespace abflat
