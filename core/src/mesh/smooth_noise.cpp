@@ -12,6 +12,8 @@ namespace {
 constexpr int kRounds = 16;
 /// Of its area, a part must lose that much to count as noisy, and keep that much.
 constexpr double kLeastLost = 0.1, kLeastKept = 0.25;
+/// With fewer, its steps are its shape.
+constexpr std::size_t kLeastTriangles = 1000;
 
 /// The edges along which each vertex is pulled: all of those around it where the surface is closed,
 /// elsewhere those of its boundary, so that what ends at the vertex does not pull.
@@ -89,6 +91,7 @@ Smoothed smoothNoise(const PolygonMesh& mesh, const Surface& surface, double rea
   const Components components = findComponents(table);
   struct Area {
     LongSum before, after;
+    std::size_t triangles = 0;
   };
   IdVector<ComponentId, Area> areas(components.firstTriangle.size());
   for (const SurfaceTriangle f : table.triangles()) {
@@ -96,12 +99,14 @@ Smoothed smoothNoise(const PolygonMesh& mesh, const Surface& surface, double rea
     Area& area = areas[components.ofTriangle[f]];
     area.before.add(areaOf(mesh.positions, v));
     area.after.add(areaOf(out.positions, v));
+    ++area.triangles;
   }
   std::vector<std::uint8_t> isNoisy(mesh.vertexCount(), 0);  // so are parts that end there
   for (const SurfaceTriangle f : table.triangles()) {
     const Area& area = areas[components.ofTriangle[f]];
     const double kept = area.after.value() / area.before.value();
-    if (!(kept > kLeastKept && kept < 1 - kLeastLost)) continue;
+    const bool isLarge = area.triangles >= kLeastTriangles;
+    if (!(isLarge && kept > kLeastKept && kept < 1 - kLeastLost)) continue;
     ++out.triangles;
     for (const std::uint32_t v : verticesOf(table.vertex, f)) isNoisy[v] = 1;
   }

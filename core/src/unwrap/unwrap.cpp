@@ -84,7 +84,8 @@ class Unwrapping {
   SurfaceMap map() const { return {input_, welded_, surface_}; }
   CutMesh cutMesh() const { return {map(), charts_.set}; }
   PackedCharts packedCharts() {
-    return {unit_, *pool_, charts_, packing_, densitiesOf(cutMesh(), options_.faceDensities)};
+    return {unit_, *pool_, charts_, packing_,
+            densitiesOf(cutMesh(), options_.faceDensities, truePositions_)};
   }
 
   Status checkInput() const {
