@@ -39,3 +39,30 @@ for (const kind of [...KINDS_OF_DIRT, 'all'])
     const { report } = await unwrapJudged(t, dirtyMesh(FACES, kind), '--resolution', '512');
     assert.ok(report.valid);
   });
+
+/** Charts, seams and how full the tile is, for one kind of dirt on the same figure. */
+async function measured(t, kind) {
+  const { report } = await unwrapJudged(t, dirtyMesh(20_000, kind), '--resolution', '512');
+  return {
+    charts: report.charts.length,
+    joints: report.repair.nonManifoldEdges.length,
+    seams: report.seams.relativeLength,
+    utilization: report.atlas.utilization,
+  };
+}
+
+test('steps of voxels cost hardly any charts and seams', async (t) => {
+  const [clean, steps] = [await measured(t, 'clean'), await measured(t, 'staircase')];
+  assert.ok(steps.charts <= 2 * clean.charts, `${steps.charts} and ${clean.charts}`);
+  assert.ok(steps.seams <= 1.5 * clean.seams, `${steps.seams} and ${clean.seams}`);
+});
+
+test('a surface goes on below its fins', async (t) => {
+  const { charts, joints } = await measured(t, 'fins');
+  assert.ok(charts < joints / 4, `${charts} charts, ${joints} edges of more than two faces`);
+});
+
+test('specks find a place between the charts', async (t) => {
+  const [clean, specks] = [await measured(t, 'clean'), await measured(t, 'specks')];
+  assert.ok(specks.utilization > 0.7 * clean.utilization);
+});

@@ -268,7 +268,7 @@ class Unwrapping {
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), options_, charts_.flat); !s.ok()) return s;
     const FlatCharts& flat = charts_.flat;
-    const bool mayCut = roomMode(options_, flat, flat.size()) != RoomMode::None;
+    const bool mayCut = roomMode(options_, flat, 0) != RoomMode::None;
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForRoom();
     if (s.ok()) s = keepPartsApart();
