@@ -44,9 +44,9 @@ test('the largest bound is taken that is stretched no more; else what is stretch
 });
 
 test('options are left out with their values', () => {
-  const args = ['--balance', '0.2', '--threads', '1', '--max-stretch=1.02', '--no-rotate'];
+  const args = ['--balance', '0.2', '--threads', '1', '--max-stretch=1.02', '--udim'];
   const rest = withoutOptions(args, ['--balance', '--max-stretch']);
-  assert.deepEqual(rest, ['--threads', '1', '--no-rotate']);
+  assert.deepEqual(rest, ['--threads', '1', '--udim']);
 });
 
 test('every published row has a number in every column', () => {

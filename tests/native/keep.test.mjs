@@ -238,7 +238,7 @@ test('two meshes at one texel density are at one scale, in as many tiles as it t
     ['sphere.obj', surfaces.sphere(6), 1],
   ]) {
     writeFileSync(at(name), surfaces.objText(surface));
-    const options = ['--texel-density', '60', '--udim', '--resolution', '512', '--no-rotate'];
+    const options = ['--texel-density', '60', '--udim', '--resolution', '512', '--rotate', 'none'];
     const run = await unwrapped(at, name, ...options, '--layout', 'l.png');
     const { tiles, texelDensity, utilization } = run.report.atlas;
     assert.equal(texelDensity, 60);

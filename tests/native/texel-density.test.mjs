@@ -59,7 +59,7 @@ function randomWishes(random, mesh) {
   if (random.chance(0.3)) args.push('--balance', random.pick(['0', '0.5', '1']));
   if (random.chance(0.2)) args.push('--t', random.pick(['1', '1.5', '2']));
   if (random.chance(0.2)) args.push('--straight-seams');
-  if (random.chance(0.2)) args.push('--no-rotate');
+  if (random.chance(0.2)) args.push('--rotate', random.pick(['quarter', 'none']));
   if (random.chance(0.2)) args.push('--seams', random.pick(['none', 'auto,sharp=40']));
   if (random.chance(0.2)) args.push('--fill-holes', random.pick(['never', 'always']));
   return { density, resolution, args };

@@ -318,7 +318,7 @@ test('what cannot be done is one sentence', async (t) => {
     [
       ['in.obj', '--seams', 'sideways'],
       2,
-      /--seams: 'sideways' is not auto, uv, material, none or sharp=DEGREES/,
+      /--seams: 'sideways' is not auto, hard, uv, material, none or sharp=DEGREES/,
     ],
     [['in.obj', '--seams', 'none,auto'], 2, /--seams: none cannot be combined with other seams/],
     [['in.obj', '--seams', 'sharp=200'], 2, /--seams: 'sharp=200' is not/],

@@ -230,7 +230,7 @@ test('texelDensity and udim: tiles beside each other at the scale that was asked
   const { report, uv } = await abflat.unwrap(mesh, {
     texelDensity: 120,
     udim: true,
-    rotate: false,
+    rotate: 'none',
   });
   assert.equal(report.valid, true);
   assert.equal(report.atlas.texelDensity, 120);

@@ -52,7 +52,7 @@ test('every control is undone and done again, with its earlier result', async (t
     await page.click('#more-toggle');
     await page.selectOption('#more-fill-holes', 'never');
   });
-  await change(() => page.click('#more-rotate'));
+  await change(() => page.selectOption('#more-rotate', 'none'));
   await change(() => page.fill('#more-texel-density', '20'));
   await page.focus('#mesh-canvas');
   const walk = async (key, from, to) => {

@@ -323,7 +323,7 @@ test('each tile has the image', async (t) => {
   const one = await seen(page, await screenshot(page, LAYOUT));
   await page.click('#more-toggle');
   const density = Number((await metrics(page))['Texel density']);
-  await page.fill('#more-texel-density', `${Math.round(1.2 * density)}`);
+  await page.fill('#more-texel-density', `${Math.round(1.4 * density)}`);
   await page.click('#more-udim');
   await settled(page);
   await drawn(page);

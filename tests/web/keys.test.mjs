@@ -135,8 +135,15 @@ test('Bounds: each key does what the sheet says', async (t) => {
   for (const effect of Object.values(effects)) await effect();
 });
 
+/** Of several charts. */
+const CUBE = [
+  'cube.obj',
+  'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n' +
+    'f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n',
+];
+
 test('Charts: each key does what the sheet says', async (t) => {
-  const page = await openPage(t, { ...SMALL, open: BALL });
+  const page = await openPage(t, { ...SMALL, open: CUBE });
   const press = (key) => page.keyboard.press(key);
   const isSelected = () => page.isVisible('#selection-frame');
   const isHidden = () => page.isVisible('#selection-show-all');

@@ -59,16 +59,16 @@ test('more options change the atlas as those of the command line do, and are nam
   await settled(page);
   await fill(page, '#more-t', '1');
   await click(page, '#more-straight-seams');
-  await page.focus('#more-rotate');
-  await page.keyboard.press('Space');
+  await settled(page);
+  await page.selectOption('#more-rotate', 'none');
   await settled(page);
   assert.equal(
     await textOf(page, '#more-state'),
-    'fill holes never, symmetric seams never, boundary t 1, straight seams, no rotation',
+    'fill holes never, symmetric seams never, boundary t 1, rotation none, straight seams',
   );
   await assertAsProgram(t, page, RINGS, [
     ...['--fill-holes', 'never', '--symmetric-seams', 'never', '--t', '1'],
-    ...['--straight-seams', '--no-rotate'],
+    ...['--straight-seams', '--rotate', 'none'],
   ]);
   // A disk in one piece has other options.
   await dropAndWait(page, 'waves.obj', grid(4));
@@ -228,8 +228,9 @@ for (const [name, width, height] of [
       'symmetric-seams',
       't',
       'texel-density',
-      'straight-seams',
+      'up',
       'rotate',
+      'straight-seams',
     ]) {
       await page.keyboard.press('Tab');
       assert.equal(await page.evaluate(() => document.activeElement.id), `more-${id}`);
@@ -252,10 +253,10 @@ async function useByFinger(page) {
     const { width, height } = await control.boundingBox();
     assert.ok(width >= 44 && height >= 44, `${await control.getAttribute('id')} fits a finger`);
   }
-  await page.tap('#more-rotate');
+  await page.tap('#more-straight-seams');
   await settled(page);
-  assert.equal(await page.getAttribute('#more-rotate', 'aria-pressed'), 'false');
-  assert.equal(await textOf(page, '#more-state'), 'no rotation');
+  assert.equal(await page.getAttribute('#more-straight-seams', 'aria-pressed'), 'true');
+  assert.equal(await textOf(page, '#more-state'), 'straight seams');
   await page.tap('#more-toggle');
   assert.ok(await page.isHidden('#more'));
 }
@@ -264,9 +265,9 @@ test('options are named only where they are not as usual; tiles need a density',
   const { changedOptions, defaultOptions, usedOptions } = await loadModule('model/more-options');
   const usual = defaultOptions();
   assert.deepEqual(changedOptions(usual), []);
-  assert.deepEqual(changedOptions({ ...usual, udim: true, texelDensity: 7.5, rotate: false }), [
+  assert.deepEqual(changedOptions({ ...usual, udim: true, texelDensity: 7.5, rotate: 'none' }), [
     'texel density 7.5',
-    'no rotation',
+    'rotation none',
     'UDIM tiles',
   ]);
   assert.equal(usedOptions({ ...usual, udim: true }).udim, false);

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { objText, together, torus } from '../support/surfaces.mjs';
+import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { atlas, middleOf, pixelOf } from './layout.mjs';
 import {
   drawn,
@@ -165,7 +165,7 @@ test('a click removes a pin, Escape puts it back, P ends it all', async (t) => {
 });
 
 test('pins are set and moved by keys alone', async (t) => {
-  const page = await openPage(t, { open: ['ring.obj', RING] });
+  const page = await openPage(t, { open: ['ball.obj', objText(sphere(8))] });
   const before = await atlas(page);
   await page.keyboard.press('p');
   await page.keyboard.press('Enter');

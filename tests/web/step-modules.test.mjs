@@ -128,7 +128,7 @@ test('changes are named by what differs', async () => {
   assert.equal(named({ seams: 'auto,sharp=60' }), 'Seams: auto, sharp=60');
   assert.equal(named({ seamEdges: Uint32Array.of(0, 1, 1, 2) }), 'Seams of 2 edges');
   assert.equal(named({ fixedFaces: 'uv' }), 'Keep UVs of the file');
-  assert.equal(named({ rotate: false }), 'Rotation off');
+  assert.equal(named({ rotate: 'none' }), 'Rotation none');
   assert.equal(named({ texelDensity: 3 }), 'Texel density 3');
   assert.equal(named({ fillHoles: 'never' }), 'Fill holes never');
   assert.equal(named({}), 'Repacked');

@@ -89,7 +89,7 @@ test('a sharp phone gets a sharp picture, with the numbers of tiles', async (t) 
   });
   await page.click('#more-toggle');
   const density = Number((await metrics(page))['Texel density']);
-  await page.fill('#more-texel-density', `${Math.round(1.2 * density)}`);
+  await page.fill('#more-texel-density', `${Math.round(1.4 * density)}`);
   await page.click('#more-udim');
   await settled(page);
   assert.deepEqual(await page.locator('#tiles .tile').allTextContents(), ['1001', '1002']);

@@ -37,8 +37,9 @@ function randomSettings(next) {
     symmetricSeams: pick(['auto', 'never', 'always']),
     t: t(),
     texelDensity: pick(['auto', 1e-9 + next(), 1e6 * next() + 1]),
+    up: pick(['auto', 'y', 'z']),
+    rotate: pick(['free', 'quarter', 'none']),
     straightSeams: isOn(),
-    rotate: isOn(),
     udim: isOn(),
     seams: pick(SEAMS),
     ...(isOn() && { fixedFaces: 'uv' }),
@@ -56,8 +57,8 @@ test('settings come back from their text', () => {
 test('the text has what differs from the defaults, in the words of the command line', () => {
   assert.equal(textOf(usualSettings('unwrap')), '');
   assert.equal(textOf(usualSettings('flatten')), 'flatten');
-  const some = { maxStretch: 1.05, rotate: false, udim: true, seams: 'auto,sharp=60' };
-  const text = 'unwrap&max-stretch=1.05&no-rotate&udim&seams=auto,sharp=60';
+  const some = { maxStretch: 1.05, rotate: 'none', udim: true, seams: 'auto,sharp=60' };
+  const text = 'unwrap&max-stretch=1.05&rotate=none&udim&seams=auto,sharp=60';
   assert.equal(textOf({ ...usualSettings('unwrap'), ...some }), text);
   const edited = { ...usualSettings('unwrap'), seams: 'none', seamEdges: Uint32Array.of(0, 1) };
   assert.equal(textOf(edited), '', 'edited seams are of one mesh');
@@ -71,6 +72,7 @@ test('what means nothing is ignored, one by one', () => {
     ...['max-stretch=1.07', 'resolution=1000', 'padding=-1', 'padding=2.5', 'padding=auto'],
     ...['balance=0.33', 'balance=2', 't=0', 't=NaN', 't=Infinity', 'no-t=1', 'udim=1', 'delaunay'],
     ...['seams=sharp', 'seams=sharp=0', 'seams=sharp=181', 'seams=uv,auto', 'seams=', 'keep=all'],
+    ...['rotate', 'rotate=false', 'no-rotate', 'up=x'],
     ...['fill-holes=maybe', 'maxStretch=1.05', 'threads=4', 'constructor=1', 'toString'],
   ]) {
     const { settings, ignored } = settingsOf(`unwrap&${word}&padding=5`);

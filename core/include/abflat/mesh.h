@@ -31,6 +31,7 @@ struct PolygonMesh {
   std::vector<double> normals;               ///< xyz per shading normal, of any length
   std::vector<std::uint32_t> faceNormals;    ///< normal of each face corner, or kNoNormal
   std::vector<std::uint32_t> faceSmoothing;  ///< smoothing group per face, 0 = off; if no normals
+  bool isZUp = false;                        ///< z points up in such files, not y
 
   std::size_t vertexCount() const { return positions.size() / 3; }
   std::size_t faceCount() const { return faceOffsets.empty() ? 0 : faceOffsets.size() - 1; }

@@ -6,6 +6,7 @@
 
 #include "base/few_bits.h"
 #include "base/long_sum.h"
+#include "cut/edge_bends.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -85,23 +86,34 @@ void measureTriangle(SeamMesh& m, SurfaceTriangle f, IdVector<SurfaceCorner, dou
   }
 }
 
-/// 0 where the surface is flat or convex, 1 in a sharp concave crease.
-double creaseShare(const SeamMesh& m, SurfaceCorner h) {
-  const SurfaceCorner o = m.twin[h];
+bool isConcave(const SeamMesh& m, SurfaceCorner h) {
   const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, triangleOf(h));
-  const std::array<std::uint32_t, 3> w = verticesOf(m.vertexOfCorner, triangleOf(o));
   const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
-  const Vec3 q = cross(edgeVector(m.positions, w[0], w[1]), edgeVector(m.positions, w[0], w[2]));
-  const double scale = norm(n) * norm(q);
-  if (!(scale > 0)) return 0;
-  const double bend = (1 - dot(n, q) / scale) / 2;  // 0 if flat, 1/2 at a right angle
-  const Vec3 across = edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[prevCorner(o)]);
-  const double share = std::min(1.0, 2 * bend);
-  return dot(across, n) > 0 ? share : share / 2;  // a convex ridge hides a seam less than a crease
+  const SurfaceCorner apex = prevCorner(m.twin[h]);
+  return dot(edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[apex]), n) > 0;
+}
+
+/// From 0 to 1 where x goes from `low` to `high`, without a kink.
+double smoothStep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// Cost of a seam where the surface bends that much, relative to its length. Nothing hides a seam
+/// in a flat face; a crease does, a concave one better. Where shading breaks, there is a crease.
+double costWhere(double bend, bool isConcave, bool isHard) {
+  constexpr double kDegree = kPi / 180;
+  constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree,
+                   kSharp = 75 * kDegree;
+  constexpr double kOfFlat = 5, kOfBent = 0.6, kOfConvex = 0.25, kOfConcave = 0.2;
+  if (bend < kFlat) return kOfFlat;
+  if (isHard) bend = std::max(bend, kBent);
+  if (bend < kBent) return 1 - (1 - kOfBent) * smoothStep(kSmooth, kBent, bend);
+  return kOfBent -
+         (kOfBent - (isConcave ? kOfConcave : kOfConvex)) * smoothStep(kBent, kSharp, bend);
 }
 
 void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
-  constexpr double kDiscount = 0.4;
   for (const SurfaceCorner h : m.corners()) {
     const SurfaceCorner o = m.twin[h];
     if (o < h) continue;
@@ -109,11 +121,22 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
     m.cost[h] = m.length[h];
     if (o.exists()) {
       w += cotangent[prevCorner(o)] / 2;
-      m.length[o] = m.length[h];
-      m.cost[h] = m.cost[o] = inFewBits(m.length[h] * (1 - kDiscount * creaseShare(m, h)));
+      m.cost[o] = m.length[o] = m.length[h];
     }
     m.weight[h] = inFewBits(std::clamp(w, kLeastWeight, kMostWeight));
     if (o.exists()) m.weight[o] = m.weight[h];
+  }
+}
+
+/// Costs by how much seams are in sight.
+void hideSeams(SeamMesh& m, const Pulse& pulse) {
+  const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
+  const auto isHard = [&](SurfaceCorner h) { return h < m.isHard.size() && m.isHard[h]; };
+  for (const SurfaceCorner h : m.corners()) {
+    const SurfaceCorner o = m.twin[h];
+    if (o.exists() && h < o)
+      m.cost[h] = m.cost[o] =
+          inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h), isHard(h)));
   }
 }
 
@@ -135,7 +158,8 @@ IdRange<SurfaceCorner> SeamMesh::fillingCorners() const {
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale,
-                      const IdVector<SurfaceCorner, std::uint8_t>& isHard, const Pulse& pulse) {
+                      const IdVector<SurfaceCorner, std::uint8_t>& isHard, SeamCosts costs,
+                      const Pulse& pulse) {
   SeamMesh m;
   m.isHard = isHard;
   m.vertexOfCorner = fans.ofCorner;
@@ -153,6 +177,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
     pulse.beat();
   }
   weighEdges(m, cotangent);
+  if (costs == SeamCosts::Sight) hideSeams(m, pulse);
   pulse.beat(corners);
   for (const SurfaceCorner h : isDiagonal.ids())
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "abflat/generated/unwrap_options.h"
 #include "abflat/mesh.h"
 #include "base/pulse.h"
 #include "cut/ids.h"
@@ -28,8 +29,8 @@ struct SeamMesh {
   IdVector<SurfaceCorner, double> angle;        ///< radians; made up for degenerate triangles
   IdVector<SurfaceTriangle, double> area;
   IdVector<SurfaceCorner, double> length;  ///< of a half-edge
-  /// Cost of a seam along a half-edge: its length, less if it is hidden. kBarredCost where holes
-  /// have to stay filled, infinite within a polygon.
+  /// Cost of a seam along a half-edge: its length, less where it is hidden and more in flat faces.
+  /// kBarredCost where holes have to stay filled, infinite within a polygon.
   IdVector<SurfaceCorner, double> cost;
   /// Whether the file says that shading breaks along a half-edge; empty if it does not say. Edges
   /// of triangles that fill holes may be missing.
@@ -81,6 +82,6 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
                       const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal = {},
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale = {},
                       const IdVector<SurfaceCorner, std::uint8_t>& isHard = {},
-                      const Pulse& pulse = {});
+                      SeamCosts costs = SeamCosts::Sight, const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -46,6 +46,12 @@ bool looksLikeObj(std::string_view bytes) {
   return false;
 }
 
+/// STL is what CAD programs and printers use, where z points up.
+Result<PolygonMesh> withZUp(Result<PolygonMesh> mesh) {
+  mesh.value.isZUp = true;
+  return mesh;
+}
+
 /// Releases the spare capacity that the arrays grew while their sizes were unknown: they stay in
 /// memory for the whole run.
 Result<PolygonMesh> withoutSpare(Result<PolygonMesh> mesh) {
@@ -87,7 +93,7 @@ Result<PolygonMesh> readAs(MeshFormat format, std::string_view bytes, std::strin
     case MeshFormat::Ply:
       return withoutSpare(readPly(text, fileName));
     case MeshFormat::Stl:
-      return withoutSpare(readStl(bytes, fileName));  // binary STL may begin with anything
+      return withoutSpare(withZUp(readStl(bytes, fileName)));  // binary STL may begin with anything
   }
   return Status{StatusCode::Internal, "no reader for this format"};
 }

@@ -41,6 +41,19 @@ inline double norm(double x, double y) {
   return square > 1e-280 && square < 1e280 ? std::sqrt(square) : portable::hypot(x, y);
 }
 
+/// Unit normal of a triangle, zero if it has no area.
+inline Vec3 unitNormal(const std::vector<double>& positions, const TriangleVertices& v) {
+  Vec3 n = cross(edgeVector(positions, v[0], v[1]), edgeVector(positions, v[0], v[2]));
+  const double length = norm(n);
+  for (double& x : n) x = length > 0 ? x / length : 0;
+  return n;
+}
+
+/// In radians; 0 if one of them is zero.
+inline double angleBetween(const Vec3& a, const Vec3& b) {
+  return portable::atan2(norm(cross(a, b)), dot(a, b));
+}
+
 /// Sum of the cross products of neighbours, seen from the first point: twice the area vector.
 inline Vec3 areaVector(const std::vector<Vec3>& p) {
   Vec3 sum{};

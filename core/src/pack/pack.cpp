@@ -9,6 +9,7 @@
 #include "base/invalid.h"
 #include "base/number_text.h"
 #include "base/stopwatch.h"
+#include "pack/level_pose.h"
 #include "pack/scale_search.h"
 #include "pack/strategies.h"
 
@@ -151,14 +152,20 @@ class Packer {
   /// Does not keep the shapes, since there may be as many as triangles.
   void makeItems(std::vector<PackShape>& shapes) {
     items_.resize(movable_.size());
-    const int poses = options_.rotate ? posesFor(movable_.size()) : 1;
-    parallelFor(options_.pool, items_.size(), [&, poses](std::size_t i) {
+    const int poses = posesFor(movable_.size(), options_.rotate);
+    // Where there are many charts, angles other than quarters gain little.
+    const bool isFree = poses > 4;
+    parallelFor(options_.pool, items_.size(), [&, poses, isFree](std::size_t i) {
       const PackShape shape = std::move(shapes[movable_[i]]);
       PackItem& item = items_[i];
       item.loops = coveringLoops(shape);
       item.mass = massOf(shape);
       const std::vector<PlanePoint> hull = convexHull(item.loops.points);
-      item.poses = Poses(leastBoxPose(hull), poses, hull);
+      const LevelPose level = levelPose(item.loops, hull, {shape.upU, shape.upV});
+      item.isLevel = level.isLevel;
+      item.isUpright = level.isUpright;
+      item.poses = Poses(isFree ? leastBoxPose(hull) : level.pose, poses, hull);
+      if (isFree) item.poses.addFirst(level.pose, hull);
     });
   }
 
@@ -241,11 +248,12 @@ class Packer {
                options_.progress(static_cast<double>(placed) / static_cast<double>(items_.size()));
       };
     PlaceSpace space;
-    for (const PlaceStrategy& strategy : strategiesFor(items_)) {
-      placed_ = place(items_, strategy, grid_, taken_, options, space);
-      ++tries_;
-      if (placed_.fit != Fit::TooMany || options_.udim) return;
-    }
+    for (const double tidiness : {kTidiest, 0.0})
+      for (const PlaceStrategy& strategy : strategiesFor(items_, tidiness)) {
+        placed_ = place(items_, strategy, grid_, taken_, options, space);
+        ++tries_;
+        if (placed_.fit != Fit::TooMany || options_.udim) return;
+      }
   }
 
   Status largestIsTooLarge() const {

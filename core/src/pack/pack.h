@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "abflat/generated/unwrap_options.h"
 #include "abflat/status.h"
 #include "base/parallel.h"
 
@@ -16,6 +17,8 @@ struct PackShape {
   /// Vertices of the boundary loop, counter-clockwise. If empty, the outlines of all triangles are
   /// used, which is correct for any set of triangles but slower.
   std::vector<std::uint32_t> outline;
+  /// The image of the mesh's up direction, as long as the height gained per length; see levelPose.
+  double upU = 0, upV = 0;
   /// The shape stays where it is: its uv are already places in the atlas, and others go around it.
   /// If there are several tiles, it belongs to the one that contains the middle of its box.
   bool isFixed = false;
@@ -25,12 +28,12 @@ struct PackOptions {
   int resolution = 1024;  ///< texels along a side of the square tile
   /// Free texels between charts; half of that, rounded up, to the border.
   int padding = 2;
-  bool rotate = true;          ///< beyond the rotation that makes the box of a chart smallest
-  double texelDensity = 0;     ///< texels per unit of the mesh; 0: the most that fits one tile
-  double mostDensity = 0;      ///< limits it if `texelDensity` is 0; 0: no limit
-  bool fixedMayLeave = false;  ///< fixed shapes may be outside of tiles
-  double unit = 1;             ///< length in the mesh's unit of a length of 1 in the charts
-  bool udim = false;           ///< with a density: as many tiles as needed, not one
+  Rotate rotate = Rotate::Free;  ///< beyond the pose in which a chart lies level and upright
+  double texelDensity = 0;       ///< texels per unit of the mesh; 0: the most that fits one tile
+  double mostDensity = 0;        ///< limits it if `texelDensity` is 0; 0: no limit
+  bool fixedMayLeave = false;    ///< fixed shapes may be outside of tiles
+  double unit = 1;               ///< length in the mesh's unit of a length of 1 in the charts
+  bool udim = false;             ///< with a density: as many tiles as needed, not one
   /// Once all charts have a place, better ones are searched for until this many rows of texels (or
   /// larger cells) have been looked at, over all charts in all poses; 0: until no better one is
   /// found.

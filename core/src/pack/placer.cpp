@@ -139,19 +139,20 @@ class Placer {
     const PackItem& item = items_[i];
     const double scale = options_.texelsPerUnit, cell = grid_.cell;
     const double area = item.mass.area * (scale / cell) * (scale / cell);
-    const std::size_t poses = item.poses.size();
-    const std::size_t angles = isPosed() ? 1 : static_cast<std::size_t>(strategy_.angles);
-    const std::size_t step = std::max<std::size_t>(poses / angles, 1);
+    const double dearness = strategy_.tidiness * std::sqrt(area);
+    const std::size_t count = isPosed() ? 1 : strategy_.turns.size();
     double lowest = 2.0 * tile.height();
     bool isFound = false;
-    for (std::size_t p = isPosed() ? strategy_.poses[i] : 0; p < poses; p += step) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t p = isPosed() ? strategy_.poses[i] : strategy_.turns[k];
       const Pose pose = item.poses[p];
       const double width = cellsOf(grid_, pose.width * scale);
       const double height = cellsOf(grid_, pose.height * scale);
       if (width > tile.width() || height > tile.height()) continue;
-      const double above = rounded((pose.rotated(item.mass.center).y - pose.minY) * scale / cell);
+      const double center = (pose.rotated(item.mass.center).y - pose.minY) * scale / cell;
+      const double above = rounded(center + dearness * untidiness(item, p));
       const int end = std::min(static_cast<int>(std::ceil(lowest - above)), tile.height());
-      int& begin = begins_[t].of(width, height, area, 4 * p / poses);
+      int& begin = begins_[t].of(width, height, area, 4 * p / item.poses.size());
       if (begin >= end) continue;
       work_ += height;
       const Cell found = tile.find(footprintOf(i, static_cast<std::uint32_t>(p)), begin, end);
@@ -179,7 +180,7 @@ class Placer {
       if (poses.size() < 4) return;
       out[2].setMirrored(out[0], true, true);
       // The two angles differ by half a turn. Cells that are kept may serve more angles.
-      if (strategy_.angles == 2 && space_.touched.empty()) return;
+      if (strategy_.turns.size() == 2 && space_.touched.empty()) return;
       transpose(touched, transposed_);
       upright_.set(transposed_);
       out[1].setMirrored(upright_, true, false);
@@ -260,6 +261,14 @@ double longestSide(const std::vector<PackItem>& items) {
   double longest = 0;
   for (const PackItem& item : items) longest = std::max(longest, longestSide(item));
   return longest;
+}
+
+double untidiness(const PackItem& item, std::size_t pose) {
+  constexpr double kUpsideDown = 0.5;
+  const std::size_t quarter = item.poses.perQuarter();
+  if (pose % quarter != 0) return item.isLevel || item.isUpright ? 1 : 0;
+  if (pose == 0 || !item.isUpright) return 0;
+  return pose == 2 * quarter ? kUpsideDown : 1;
 }
 
 double sideForAll(const std::vector<PackItem>& items) {

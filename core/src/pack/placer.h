@@ -16,8 +16,10 @@ namespace abflat {
 /// A shape in the form that placing needs.
 struct PackItem {
   Loops loops;
-  Poses poses;  ///< the first is the one with the smallest box
+  Poses poses;  ///< the same number for each item; the first is level and upright, if any is
   Mass mass;
+  bool isLevel = false;    ///< the first pose is better because straight edges lie along u and v
+  bool isUpright = false;  ///< the first pose is better because it stands upright
 };
 
 /// The longest side of the box of any pose.
@@ -27,11 +29,17 @@ double longestSide(const std::vector<PackItem>& items);
 /// Side of the smallest square that holds each item in some pose.
 double sideForAll(const std::vector<PackItem>& items);
 
+/// How far a pose is from level and upright: 0 to 1.
+double untidiness(const PackItem& item, std::size_t pose);
+
 /// How items are placed.
 struct PlaceStrategy {
   std::vector<std::uint32_t> order;  ///< of the items
-  int angles = 4;                    ///< number of poses to try
-  std::vector<std::uint32_t> poses;  ///< per item: the only pose to try; empty: any
+  std::vector<std::uint32_t> turns;  ///< the poses to try
+  /// A pose that is not level and upright is only taken where the item then lies lower by this many
+  /// times the root of its area.
+  double tidiness = 0;
+  std::vector<std::uint32_t> poses;  ///< per item: the only pose to try; empty: all of `turns`
 };
 
 struct Spot {

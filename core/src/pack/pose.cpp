@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
 #include "base/portable_math.h"
 
 namespace abflat {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void measure(Pose& pose, const std::vector<PlanePoint>& hull) {
   if (hull.empty()) return;
@@ -79,6 +78,12 @@ Poses::Poses(const Pose& base, int count, const std::vector<PlanePoint>& hull)
     : count_(static_cast<std::uint32_t>(count)) {
   first_.reserve((count_ + 3) / 4);
   for (int k = 0; 4 * k < count; ++k) first_.push_back(turned(base, k, count, hull));
+}
+
+void Poses::addFirst(const Pose& pose, const std::vector<PlanePoint>& hull) {
+  first_.insert(first_.begin(), turned(pose, 0, 4, hull));
+  count_ += 4;
+  hasAdded_ = true;
 }
 
 Pose Poses::operator[](std::size_t i) const {

@@ -19,20 +19,29 @@ struct Pose {
 /// Rotates by `angle` / `of` of a full turn; exact for quarters.
 Pose turned(const Pose& base, int angle, int of, const std::vector<PlanePoint>& hull);
 
-/// A full turn in equal steps: 1, or a multiple of 4. Poses from the second quarter on are exactly
-/// those of the first, rotated, so only the first quarter is kept.
+/// Full turns in equal steps: of 1 pose, or of a multiple of 4. Poses from the second quarter on
+/// are exactly those of the first, rotated, so only the first quarter is kept.
 class Poses {
  public:
   Poses() = default;
   Poses(const Pose& base, int count, const std::vector<PlanePoint>& hull);
 
+  /// Adds the quarter turns of a pose; in each quarter it comes first.
+  void addFirst(const Pose& pose, const std::vector<PlanePoint>& hull);
+
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
+  /// Number of poses in a quarter of a turn, of which only the first one may be the added one.
+  std::size_t perQuarter() const { return first_.size(); }
+  bool hasAdded() const { return hasAdded_; }
   Pose operator[](std::size_t i) const;
+  /// The pose from which the steps begin.
+  const Pose& base() const { return first_[hasAdded_ ? 1 : 0]; }
 
  private:
   std::vector<Pose> first_;
   std::uint32_t count_ = 0;
+  bool hasAdded_ = false;
 };
 
 /// The rotation with the smallest box area; the box is wider than high, and the heavier part at its

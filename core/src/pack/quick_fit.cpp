@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "pack/level_pose.h"
 #include "pack/strategies.h"
 
 namespace abflat {
@@ -14,7 +15,11 @@ constexpr double kAnyArea = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-QuickFit::QuickFit(int resolution, int padding, bool rotate, int cells) : poses_(rotate ? 8 : 1) {
+QuickFit::QuickFit(int resolution, int padding, Rotate rotate, int cells)
+    : poses_(rotate == Rotate::Free      ? 8
+             : rotate == Rotate::Quarter ? 4
+                                         : 1),
+      mayLieAskew_(rotate == Rotate::Free) {
   grid_ = makePackGrid(resolution, padding, 1);
   grid_.cell = std::max(std::min(resolution / cells, resolution - 2 * grid_.border), 1);
 }
@@ -26,7 +31,8 @@ PackItem QuickFit::itemOf(const std::vector<PlanePoint>& outline) const {
   out.loops.ends = {static_cast<std::uint32_t>(outline.size())};
   out.loops.isGroup = {1};
   const std::vector<PlanePoint> hull = convexHull(outline);
-  out.poses = Poses(leastBoxPose(hull), static_cast<int>(poses_), hull);
+  const Pose pose = mayLieAskew_ ? leastBoxPose(hull) : levelPose(out.loops, hull, {}).pose;
+  out.poses = Poses(pose, static_cast<int>(poses_), hull);
   out.mass = massOf(outline);
   return out;
 }
@@ -54,7 +60,7 @@ void QuickFit::forget(std::size_t i) {
 
 void QuickFit::hold(double side, const std::vector<std::uint32_t>& items) {
   release();
-  PlaceStrategy strategy = largestFirst(items_, static_cast<int>(poses_));
+  PlaceStrategy strategy = largestFirst(items_);
   strategy.order.erase(
       std::find_first_of(strategy.order.begin(), strategy.order.end(), items.begin(), items.end()),
       strategy.order.end());
@@ -67,7 +73,7 @@ void QuickFit::hold(double side, const std::vector<std::uint32_t>& items) {
 std::vector<std::uint8_t> QuickFit::placed(double side) { return placed(side, kAnyArea); }
 
 std::vector<std::uint8_t> QuickFit::placed(double side, double mostMissing) {
-  PlaceStrategy strategy = largestFirst(items_, static_cast<int>(poses_));
+  PlaceStrategy strategy = largestFirst(items_);
   const auto isHeld = [&](std::uint32_t i) { return i < isHeld_.size() && isHeld_[i]; };
   strategy.order.erase(std::remove_if(strategy.order.begin(), strategy.order.end(), isHeld),
                        strategy.order.end());

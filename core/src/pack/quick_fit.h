@@ -9,7 +9,7 @@ namespace abflat {
 class QuickFit {
  public:
   /// `cells`: along a side of the square, at least, if there are as many texels.
-  QuickFit(int resolution, int padding, bool rotate, int cells);
+  QuickFit(int resolution, int padding, Rotate rotate, int cells);
 
   /// `outline`: counter-clockwise and simple; if empty, the item takes no room.
   PackItem itemOf(const std::vector<PlanePoint>& outline) const;
@@ -41,6 +41,7 @@ class QuickFit {
 
   PackGrid grid_;
   std::size_t poses_;
+  bool mayLieAskew_;
   std::vector<PackItem> items_;
   PlaceSpace space_;
   PlaceStart held_;

@@ -12,6 +12,8 @@ namespace abflat {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Charts that lie level and upright are worth a texel density that is this many times smaller.
+constexpr double kWorthOfTidiness = 1.03;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// The search on a single grid.
@@ -27,7 +29,8 @@ class Search {
         usualTries_(usualTries),
         spaces_(isParallel(options.pool) ? options.pool->threads() : 1),
         bounds_(scaleBounds(items, grid, taken)),
-        out_(best) {}
+        out_(best),
+        work_(options.work) {}
 
   /// Whether there is nothing to search, because boxes alone limit the scale.
   bool isAtBound(const std::vector<PlaceStrategy>& strategies) {
@@ -76,12 +79,22 @@ class Search {
     return strategy;
   }
 
+  /// Gives up texels for tidier charts: steps up again from a scale that is smaller by what they
+  /// are worth. kNone, with nothing changed, if no strategy fits there.
+  std::size_t settle(const std::vector<PlaceStrategy>& strategies, double step) {
+    const std::size_t count = strategies.size();
+    const std::size_t fitting =
+        attempt(out_.texelsPerUnit / kWorthOfTidiness, strategies, 0, count);
+    return fitting == kNone ? kNone : climb(strategies, fitting, count, step);
+  }
+
+  void limitWork(double work) { work_ = work; }
+
   bool isCancelled() const { return isCancelled_; }
 
  private:
   bool isOver() const {
-    return isCancelled_ ||
-           (out_.texelsPerUnit > 0 && options_.work > 0 && out_.work >= options_.work);
+    return isCancelled_ || (out_.texelsPerUnit > 0 && work_ > 0 && out_.work >= work_);
   }
 
   /// A scale that should fit as well, judging by the unused height.
@@ -153,6 +166,7 @@ class Search {
   std::vector<PlaceSpace> spaces_;  ///< one per concurrent try
   const ScaleBounds bounds_;
   ScaleSearch& out_;
+  double work_;
   double bad_ = kInfinity;  ///< the last scale that did not fit, apart from small steps up
   double placedShare_ = 0;  ///< share of the area placed by the last try that did not fit
   bool isCancelled_ = false;
@@ -191,40 +205,112 @@ PlaceStrategy again(const PlaceStrategy& strategy, const std::vector<Spot>& spot
   return out;
 }
 
+/// Large cells first, then the real ones.
+class WholeSearch {
+ public:
+  WholeSearch(const std::vector<PackItem>& items, const PackGrid& grid, const BitGrid& taken,
+              const ScaleOptions& options)
+      : items_(items),
+        grid_(grid),
+        taken_(taken),
+        options_(options),
+        strategies_(strategiesFor(items, items.size() > kSeveralItems ? kLessTidy : 0)),
+        usualTries_(6 + 2 * static_cast<double>(strategies_.size())),
+        fineStep_(items.size() > kManyItems ? kStepOfMany : kFineStep),
+        fine_(items, grid, taken, options, usualTries_, out_) {}
+
+  ScaleSearch run() {
+    if (fine_.isAtBound(strategies_)) {
+      for (const double tidiness : {kTidiest, kLessTidy})
+        if (fine_.isAtBound({strategiesFor(items_, tidiness).front()})) break;
+      return std::move(out_);
+    }
+    searchLargeCells();
+    searchRealCells();
+    if (isCancelled_ || fine_.isCancelled()) out_.best.fit = Fit::Cancelled;
+    return std::move(out_);
+  }
+
+ private:
+  void searchLargeCells() {
+    constexpr double kCoarseStep = 1.007;
+    // Of the work; the rest is for the real cells.
+    constexpr double kUntidyShare = 0.5, kCoarseShare = 0.6;
+    const PackGrid larger = coarseGrid(grid_, items_.size());
+    isCancelled_ = fine_.isCancelled();
+    if (isCancelled_ || larger.cell == grid_.cell) return;
+    BitGrid takenOfLarger = taken_;
+    for (int cell = grid_.cell; cell < larger.cell; cell *= 2)
+      takenOfLarger = halved(takenOfLarger);
+    Search coarse(items_, larger, takenOfLarger, options_, usualTries_, out_);
+    coarse.limitWork(kUntidyShare * options_.work);
+    if (coarse.begin(strategies_)) {
+      const double step = std::max(kCoarseStep, fineStep_);
+      strategy_ = coarse.climb(strategies_, 0, strategies_.size(), step);
+      coarse.limitWork(kCoarseShare * options_.work);
+      settle(coarse, step);
+      refine(items_, larger, grid_, out_);
+      fine_.climb({again(strategies_[strategy_], out_.best.spots)}, 0, 1, fineStep_);
+    }
+    isCancelled_ = coarse.isCancelled() || fine_.isCancelled();
+  }
+
+  void searchRealCells() {
+    constexpr std::size_t kStrategies = 8;  // once the poses are chosen
+    constexpr double kUntidyShare = 0.8;    // of the work
+    if (isCancelled_) return;
+    if (out_.texelsPerUnit > 0) {
+      fine_.climb(strategies_, strategy_, std::min(strategies_.size(), kStrategies), fineStep_);
+      return;
+    }
+    fine_.limitWork(kUntidyShare * options_.work);
+    if (!fine_.begin(strategies_)) return;
+    strategy_ = fine_.climb(strategies_, 0, strategies_.size(), fineStep_);
+    fine_.limitWork(options_.work);
+    settle(fine_, fineStep_);
+  }
+
+  /// Whether all items already lie as they should.
+  bool isTidy() const {
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      if (!items_[i].poses.empty() && untidiness(items_[i], out_.best.spots[i].pose) > 0)
+        return false;
+    return true;
+  }
+
+  /// Goes on with the tidiest strategies that are worth it. Where there
+  /// are many items, a try or two is all there is work for.
+  void settle(Search& search, double step) {
+    if (items_.size() > kSeveralItems || isTidy()) return;
+    for (const double tidiness : {kTidiest, kLessTidy}) {
+      std::vector<PlaceStrategy> tidier = strategiesFor(items_, tidiness);
+      const std::size_t fitting = search.settle(tidier, step);
+      if (fitting == kNone) continue;
+      strategies_ = std::move(tidier);
+      strategy_ = fitting;
+      return;
+    }
+  }
+
+  static constexpr double kFineStep = 1.005, kStepOfMany = 1.01;
+
+  const std::vector<PackItem>& items_;
+  const PackGrid grid_;
+  const BitGrid& taken_;
+  const ScaleOptions& options_;
+  std::vector<PlaceStrategy> strategies_;
+  std::size_t strategy_ = 0;  ///< the best one
+  const double usualTries_, fineStep_;
+  ScaleSearch out_;
+  Search fine_;
+  bool isCancelled_ = false;
+};
+
 }  // namespace
 
 ScaleSearch searchScale(const std::vector<PackItem>& items, const PackGrid& grid,
                         const BitGrid& taken, const ScaleOptions& options) {
-  constexpr double kCoarseStep = 1.007, kFineStep = 1.005, kStepOfMany = 1.01;
-  constexpr std::size_t kFineStrategies = 8;
-  constexpr double kCoarseShare = 0.6;  // of the work; the rest is for the real cells
-  const std::vector<PlaceStrategy> strategies = strategiesFor(items);
-  const double usualTries = 6 + 2 * static_cast<double>(strategies.size());
-  const double fineStep = items.size() > kManyItems ? kStepOfMany : kFineStep;
-  ScaleSearch out;
-  Search fine(items, grid, taken, options, usualTries, out);
-  if (fine.isAtBound(strategies)) return out;
-  std::size_t strategy = 0, count = strategies.size();
-  bool isCancelled = fine.isCancelled();
-  const PackGrid larger = coarseGrid(grid, items.size());
-  if (!isCancelled && larger.cell > grid.cell) {
-    BitGrid takenOfLarger = taken;
-    for (int cell = grid.cell; cell < larger.cell; cell *= 2) takenOfLarger = halved(takenOfLarger);
-    ScaleOptions part = options;
-    part.work *= kCoarseShare;
-    Search coarse(items, larger, takenOfLarger, part, usualTries, out);
-    if (coarse.begin(strategies)) {
-      strategy = coarse.climb(strategies, 0, count, std::max(kCoarseStep, fineStep));
-      refine(items, larger, grid, out);
-      fine.climb({again(strategies[strategy], out.best.spots)}, 0, 1, fineStep);
-      count = std::min(count, kFineStrategies);
-    }
-    isCancelled = coarse.isCancelled() || fine.isCancelled();
-  }
-  if (!isCancelled && (out.texelsPerUnit > 0 || fine.begin(strategies)))
-    fine.climb(strategies, strategy, count, fineStep);
-  if (isCancelled || fine.isCancelled()) out.best.fit = Fit::Cancelled;
-  return out;
+  return WholeSearch(items, grid, taken, options).run();
 }
 
 }  // namespace abflat

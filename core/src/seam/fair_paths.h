@@ -14,7 +14,7 @@ double pathCost(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cos
                 const std::vector<SurfaceCorner>& path);
 
 /// The least cost of an edge, relative to its length.
-constexpr double kLeastCost = 0.3;
+constexpr double kLeastCost = 0.05;
 
 /// Redraws each seam between ends and junctions as a cheaper path near its former place. The
 /// junction that a path comes from may slide along other seams. The number of charts and their

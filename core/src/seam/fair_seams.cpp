@@ -6,6 +6,7 @@
 #include "seam/occlusion.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 namespace {
@@ -24,13 +25,14 @@ class SeamFairer {
       : work_(work), mesh_(work.mesh), u_(work.u), seams_(work.seams), cost_(mesh_.cost) {
     constexpr float kWidth = 0.17f;
     for (const std::uint8_t isKept : work.kept) width_.push_back(isKept ? 0 : kWidth);
-    constexpr double kDiscount = 0.6;
+    const double unseen = work.options.prices.unseen;
+    if (unseen == 0) return;
     const IdVector<SurfaceTriangle, double> hidden = occlusion(mesh_, pulse_);
     for (const SurfaceCorner h : cost_.ids()) {
       const SurfaceCorner o = mesh_.twin[h];
       if (!o.exists()) continue;
       const double share = (hidden[triangleOf(h)] + hidden[triangleOf(o)]) / 2;
-      const double cost = cost_[h] - kDiscount * share * mesh_.length[h];
+      const double cost = cost_[h] - unseen * share * mesh_.length[h];
       cost_[h] = std::max(kLeastCost * mesh_.length[h], cost);
     }
   }
@@ -46,7 +48,8 @@ class SeamFairer {
       LogScales u = work_.scale.solve(after, {});
       if (u.empty() || after.charts.size() != before.charts.size()) return false;
       const Prediction told = predictStretch(mesh_, after, u);
-      const Faults faults = faultsOf(before, was, after, told, u);
+      const Faults faults =
+          faultsOf(before, was, after, told, u, isDearer(before, was, after, told, now));
       if (std::all_of(faults.begin(), faults.end(), [](Fault f) { return f == Fault::None; })) {
         seams_ = std::move(now);
         u_ = std::move(u);
@@ -59,12 +62,22 @@ class SeamFairer {
   }
 
  private:
+  /// Whether shorter seams cost more by what they stretch.
+  bool isDearer(const CutSurface& before, const Prediction& was, const CutSurface& after,
+                const Prediction& told, const Seams& now) const {
+    const SeamPrices& prices = work_.options.prices;
+    return costOfAll(mesh_, now, after, told, prices) >
+           costOfAll(mesh_, seams_, before, was, prices);
+  }
+
   Faults faultsOf(const CutSurface& before, const Prediction& was, const CutSurface& after,
-                  const Prediction& told, const LogScales& u) const {
+                  const Prediction& told, const LogScales& u, bool isDearer) const {
+    constexpr double kMore = 1e-6;
     Faults out;
     for (const CutChartId c : after.charts.ids()) {
       const CutChartId old = before.chartOfTriangle[after.charts[c].firstTriangle];
-      if (told.stretch[c] > std::max(1 + kShare * (work_.options.maxStretch - 1), was.stretch[old]))
+      const double most = 1 + kShare * (work_.options.maxStretch - 1);
+      if (told.stretch[c] > std::max(isDearer ? 1 + kMore : most, was.stretch[old]))
         out.push_back(Fault::Stretched);
       else if (!after.charts[c].isDisk() ||
                overlapsMore(mesh_, {after, c, u}, {before, old, u_}, work_.options.mostOverlap))

@@ -4,289 +4,21 @@
 #include <cmath>
 
 #include "base/stopwatch.h"
-#include "hole/fill_holes.h"
-#include "seam/cut_to_disks.h"
+#include "seam/crease_seams.h"
 #include "seam/extract_charts.h"
-#include "seam/fair_seams.h"
+#include "seam/find_in_rounds.h"
 #include "seam/geometric_order.h"
-#include "seam/log_scale.h"
-#include "seam/merge_charts.h"
 #include "seam/prediction.h"
-#include "seam/shorten_seams.h"
-#include "seam/slits.h"
-#include "seam/split_charts.h"
-#include "seam/stretched_holes.h"
+#include "seam/seam_value.h"
 #include "seam/symmetric_seams.h"
 
 namespace abflat {
 namespace {
 
-/// For each chart the vertex of most extreme scale, such as the tip of something that sticks out.
-IdVector<CutChartId, OpenVertex> extremes(const CutSurface& s, const Prediction& p,
-                                          const LogScales& u) {
-  IdVector<CutChartId, OpenVertex> out(s.charts.size());
-  for (const OpenVertex v : s.vertices()) {
-    const CutChartId c = s.chartOf(v);
-    if (!out[c].exists() || p.at(c, u[s.meshVertex[v]]) > p.at(c, u[s.meshVertex[out[c]]]))
-      out[c] = v;
-  }
-  return out;
-}
-
-/// Interior vertices at which only two triangles meet, in order. No flat layout can contain both
-/// triangles.
-std::vector<SurfaceVertex> verticesOfTwo(const SeamMesh& mesh) {
-  IdVector<SurfaceVertex, std::uint8_t> corners(mesh.vertexCount(), 0);
-  for (const SurfaceCorner c : mesh.corners()) {
-    std::uint8_t& count = corners[mesh.vertexOfCorner[c]];
-    // At the boundary any number is fine.
-    if (!mesh.twin[c].exists() || !mesh.twin[prevCorner(c)].exists()) count = 3;
-    if (count < 3) ++count;
-  }
-  std::vector<SurfaceVertex> out;
-  for (const SurfaceVertex v : corners.ids())
-    if (corners[v] == 2) out.push_back(v);
-  return out;
-}
-
-/// Cuts in rounds. A chart that a round leaves unchanged is done; the rounds continue with only the
-/// others as soon as they make up much less than the whole.
-class Finder {
- public:
-  Finder(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport& report)
-      : whole_(mesh),
-        mesh_(&mesh),
-        given_(std::move(given)),
-        result_(given_),
-        options_(options),
-        report_(report) {}
-
-  Seams run();
-
- private:
-  void analyse();
-  void open();
-  void openBetweenTwo();
-  bool improve();
-  CutSurface cut();
-  void slit(const CutPaths& paths, const LogScales& u);
-  IdVector<CutChartId, SplitFor> splitsAsked(const CutSurface& s) const;
-  bool finishUnchanged(const CutSurface& s);
-  void handBack();
-  bool isWhole() const { return mesh_ == &whole_; }
-  SurfaceCorner toWhole(SurfaceCorner h) const { return isWhole() ? h : part_.wholeHalfEdge[h]; }
-  /// Whether the chart is still a disk as given, with all of its triangles and no edge used twice.
-  bool isUntouched(const CutSurface& s, CutChartId chart) const {
-    const CutSurface::Chart& now = s.charts[chart];
-    const SurfaceTriangle triangle = triangleOf(toWhole(cornerOf(now.firstTriangle, 0)));
-    const CutSurface::Chart& given = givenCharts_[givenChartOf_[triangle]];
-    return given.isDisk() && given.triangles == now.triangles && given.edges == now.edges;
-  }
-  bool isKept(const CutSurface& s, CutChartId chart) const {
-    return options_.keepDisks && isUntouched(s, chart);
-  }
-  bool goesOn() {
-    report_.cancelled = report_.cancelled || (options_.keepsOn && !options_.keepsOn());
-    return !report_.cancelled;
-  }
-
-  const Pulse pulse_{[this] { return goesOn(); }};
-  const SeamMesh& whole_;
-  const SeamMesh* mesh_;  ///< what is still being cut: whole_ or part_.mesh
-  SeamPart part_;
-  Seams seams_;           ///< of *mesh_
-  Seams given_, result_;  ///< of the whole; seams_ are added when their part is done
-  IdVector<CutChartId, CutSurface::Chart> givenCharts_;
-  IdVector<SurfaceTriangle, CutChartId> givenChartOf_;  ///< of the whole
-  const SeamOptions& options_;
-  SeamReport& report_;
-  std::unique_ptr<LogScale> scale_;
-  Prediction prediction_;
-  LogScales u_;                                   ///< of the whole, as last solved
-  IdVector<CutChartId, std::uint8_t> isChanged_;  ///< in the current round
-};
-
-void Finder::analyse() {
-  Stopwatch watch;
-  EliminationRanks& known = report_.eliminationRanks;
-  EliminationRanks ranks;
-  if (isWhole())
-    ranks = known.empty() ? options_.eliminationRanks : known;
-  else
-    ranks = part_.ofVertices(known);
-  scale_ = std::make_unique<LogScale>(*mesh_, options_.pool, std::move(ranks));
-  if (isWhole()) known = scale_->eliminationRanks();
-  report_.analysisSeconds += watch.lap();
-}
-
-void Finder::open() {
-  const CutSurface s = cutAlong(whole_, result_, pulse_);
-  givenCharts_ = s.charts;
-  givenChartOf_ = s.chartOfTriangle;
-  std::vector<OpenVertex> closed;
-  for (const CutSurface::Chart& c : s.charts)
-    if (c.loops == 0) closed.push_back(s.tail(cornerOf(c.firstTriangle, 0)));
-  IdVector<CutChartId, OpenVertex> roots;
-  if (!closed.empty()) {
-    const LogScales u = scale_->solve(s, closed);
-    if (!u.empty()) roots = extremes(s, predictStretch(whole_, s, u), u);
-  }
-  const TopologyCut cut = cutToDisks(whole_, s, roots, result_, pulse_);
-  report_.handleLoops = cut.handleLoops;
-  report_.handleLength = cut.length;
-  openBetweenTwo();
-}
-
-/// Cuts to vertices where two triangles meet, so that these need not lie on top of each other.
-void Finder::openBetweenTwo() {
-  const std::vector<SurfaceVertex> ends = verticesOfTwo(whole_);
-  if (ends.empty()) return;
-  const CutSurface s = cutAlong(whole_, result_, pulse_);
-  const PathForest forest = findPaths(whole_, s, {}, {}, pulse_);
-  for (const OpenVertex v : s.vertices())
-    if (!s.isBoundary[v] && std::binary_search(ends.begin(), ends.end(), s.meshVertex[v]))
-      markPath(whole_, forest, v, result_);
-}
-
-CutSurface Finder::cut() {
-  CutSurface s = cutAlong(*mesh_, seams_, pulse_);
-  return openTouchedHoles(*mesh_, s, options_.fillHoles, seams_) ? cutAlong(*mesh_, seams_, pulse_)
-                                                                 : s;
-}
-
-/// Adds slits: towards the peaks with automatic seams, otherwise towards the costliest holes.
-void Finder::slit(const CutPaths& paths, const LogScales& u) {
-  const CutSurface& s = paths.surface;
-  const std::vector<OpenVertex> ends =
-      options_.isAuto ? slitEnds(paths, prediction_, u, options_.maxStretch)
-                      : stretchedHoles(*mesh_, s, prediction_, u, options_.maxStretch);
-  for (const OpenVertex v : ends) {
-    if (isKept(s, s.chartOf(v))) continue;
-    markPath(*mesh_, paths.forest, v, seams_);
-    isChanged_[s.chartOf(v)] = 1;
-    ++report_.slits;
-  }
-}
-
-IdVector<CutChartId, SplitFor> Finder::splitsAsked(const CutSurface& s) const {
-  constexpr double kTellsNothing = 1.5;  // stretch above which the outline is unreliable
-  IdVector<CutChartId, SplitFor> asked(s.charts.size(), SplitFor::Nothing);
-  if (!options_.isAuto) return asked;
-  for (const CutChartId c : s.charts.ids()) {
-    if (prediction_.stretch[c] > kTellsNothing || isKept(s, c)) continue;
-    asked[c] = isUntouched(s, c) ? SplitFor::Overlap : SplitFor::OverlapOrFill;
-  }
-  return asked;
-}
-
-/// False if no chart was changed.
-bool Finder::improve() {
-  Stopwatch watch;
-  const CutSurface s = cut();
-  const LogScales u = scale_->solve(s, {});
-  report_.solveSeconds += watch.lap();
-  if (u.empty() || !goesOn()) {
-    handBack();
-    return false;
-  }
-  for (const SurfaceVertex v : u.ids()) u_[isWhole() ? v : part_.wholeVertex[v]] = u[v];
-  prediction_ = predictStretch(*mesh_, s, u);
-  pulse_.beat(mesh_->triangleCount());
-  isChanged_.assign(s.charts.size(), 0);
-  const ShapeOptions shape{options_.leastFill, options_.mostOverlap, options_.longest};
-  SplitCharts split = chartsToSplit(*mesh_, s, u, shape, splitsAsked(s));
-  IdVector<CutChartId, std::uint8_t> isWanted;
-  for (const CutChartId c : s.charts.ids())
-    isWanted.push_back(split.asked[c] != SplitFor::Nothing ||
-                       prediction_.stretch[c] > options_.maxStretch);
-  const PathForest forest = findPaths(*mesh_, s, {}, isWanted, pulse_);
-  const CutPaths paths{*mesh_, s, forest};
-  slit(paths, u);
-  pulse_.beat(mesh_->triangleCount());
-  report_.splits += splitByShape(paths, u, shape, split, seams_, pulse_);
-  for (const CutChartId c : s.charts.ids())
-    if (split.asked[c] != SplitFor::Nothing) isChanged_[c] = 1;
-  return finishUnchanged(s);
-}
-
-/// Hands back finished charts and, if the rest is much smaller, continues on the rest as a part of
-/// its own. False if all is done.
-bool Finder::finishUnchanged(const CutSurface& s) {
-  std::size_t changed = 0;
-  for (const CutChartId c : s.charts.ids())
-    if (isChanged_[c]) changed += s.charts[c].triangles;
-  constexpr std::size_t kMuchSmaller = 2;
-  if (changed > 0 && changed * kMuchSmaller > mesh_->triangleCount()) return true;
-  handBack();
-  if (changed == 0) return false;
-  SeamPart rest = extractCharts(*mesh_, s, isChanged_, pulse_);
-  Seams seams;
-  // What was cut before this round is on the part's boundary.
-  for (const SurfaceCorner h : rest.wholeHalfEdge) seams.push_back(seams_[h] && s.twin[h].exists());
-  if (!isWhole()) rest.embedIn(part_);
-  part_ = std::move(rest);
-  seams_ = std::move(seams);
-  mesh_ = &part_.mesh;
-  analyse();
-  return true;
-}
-
-void Finder::handBack() {
-  for (const SurfaceCorner h : seams_.ids())
-    if (seams_[h]) result_[toWhole(h)] = 1;
-}
-
-Seams Finder::run() {
-  analyse();
-  for (const SurfaceCorner h : options_.first.ids())
-    if (options_.first[h] && whole_.twin[h].exists()) result_[h] = 1;
-  open();
-  seams_ = result_;
-  u_.assign(whole_.vertexCount(), 0);
-  constexpr int kMostRounds = 40;
-  const bool opensHoles = !whole_.hole.empty() && options_.fillHoles == FillHoles::Auto;
-  bool isDone = !options_.isAuto && !opensHoles;
-  while (!isDone && report_.rounds < kMostRounds && goesOn()) {
-    ++report_.rounds;
-    isDone = !improve();
-  }
-  handBack();
-  if (!whole_.hole.empty())
-    openTouchedHoles(whole_, cutAlong(whole_, result_, pulse_), options_.fillHoles, result_);
-  Stopwatch watch;
-  if (options_.isAuto && goesOn() && !isWhole()) {
-    mesh_ = &whole_;
-    part_ = SeamPart();
-    analyse();
-  }
-  const SeamWork work{whole_, given_, options_, *scale_, u_, result_};
-  // Slits and splits are added one by one where needed; together they may be more than needed.
-  if (options_.isAuto && goesOn()) report_.merges = mergeCharts(work);
-  const bool isSolved = options_.isAuto && goesOn() && fairSeams(work);
-  report_.found = result_;
-  report_.foundScale = u_;
-  if (options_.isAuto && goesOn()) shortenSeams(work, isSolved);
-  report_.mergeSeconds = watch.lap();
-  const CutSurface s = cutAlong(whole_, result_, pulse_);
-  report_.stretch = predictStretch(whole_, s, u_).total;
-  for (const CutSurface::Chart& chart : s.charts)
-    report_.charts += !whole_.isFilling(chart.firstTriangle);
-  report_.scale = std::move(u_);
-  return std::move(result_);
-}
-
 double lengthOf(const SeamMesh& mesh, const Seams& seams) {
   double sum = 0;
   for (const SurfaceCorner h : seams.ids())
     if (seams[h] && mesh.isOnSurface(h)) sum += mesh.length[h] / 2;
-  return sum;
-}
-
-/// Length of the seams, where those along creases count as shorter.
-double costOf(const SeamMesh& mesh, const Seams& seams) {
-  double sum = 0;
-  for (const SurfaceCorner h : seams.ids())
-    if (seams[h] && mesh.isOnSurface(h)) sum += mesh.cost[h] / 2;
   return sum;
 }
 
@@ -298,7 +30,7 @@ class SymmetricFinder {
 
   /// Replaces `seams`, which `report` describes, by symmetric ones if those are preferable.
   void run(Seams& seams, SeamReport& report) const {
-    const double cost = costOf(mesh_, seams);
+    const double cost = costOfSeams(mesh_, seams);
     if (options_.symmetricSeams == SymmetricSeams::Never || cost == 0) return;
     const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
     if (!mirror) report.asymmetry = Asymmetry::NoPlane;
@@ -306,21 +38,23 @@ class SymmetricFinder {
     const std::optional<SeamPart> half = halfOf(mesh_, mirror, options_.fillHoles);
     if (!half) report.asymmetry = Asymmetry::PlaneCutsFace;
     if (!half) return;
-    const double plane = costOf(mesh_, unfold(mesh_, mirror, *half, {}));
+    const double plane = costOfSeams(mesh_, unfold(mesh_, mirror, *half, {}));
     if (isTooMuch(plane, cost * kMostOfPlane)) return;
     const Seams found = seamsOfHalf(*half, report.eliminationRanks);
-    const double least = 2 * costOf(half->mesh, found) + kLeastOfPlane * plane;
+    const double least = 2 * costOfSeams(half->mesh, found) + kLeastOfPlane * plane;
     if (isTooMuch(least, cost)) return;
     SeamOptions options = options_;
     options.eliminationRanks = report.eliminationRanks;
     options.first = unfold(mesh_, mirror, *half, found);
     SeamReport own;
-    Seams symmetric = Finder(mesh_, Seams(mesh_.twin.size(), 0), options, own).run();
+    Seams symmetric = findInRounds(mesh_, Seams(mesh_.twin.size(), 0), options, own);
     if (own.cancelled) report.cancelled = true;
     if (own.cancelled || isTooMuch(own.charts, report.charts) ||
-        isTooMuch(costOf(mesh_, symmetric), cost))
+        isTooMuch(wholeCost(symmetric, own), wholeCost(seams, report)))
       return;
     seams = std::move(symmetric);
+    // A chart must be solved in the same order whenever it is found.
+    own.eliminationRanks = std::move(report.eliminationRanks);
     report = std::move(own);
   }
 
@@ -332,6 +66,12 @@ class SymmetricFinder {
   /// the result comes out longer.
   static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
 
+  double wholeCost(const Seams& seams, const SeamReport& report) const {
+    const IdVector<SurfaceTriangle, CutChartId> one(mesh_.triangleCount(), CutChartId(0));
+    return costOfParts(mesh_, seams, report.scale, options_.maxStretch, one, 1, options_.prices)
+        .front();
+  }
+
   bool isTooMuch(double now, double most) const {
     return options_.symmetricSeams == SymmetricSeams::Auto && now > most;
   }
@@ -340,11 +80,76 @@ class SymmetricFinder {
     SeamOptions options = options_;
     options.eliminationRanks = half.ofVertices(ranks);
     SeamReport own;
-    return Finder(half.mesh, Seams(half.mesh.twin.size(), 0), options, own).run();
+    return findInRounds(half.mesh, Seams(half.mesh.twin.size(), 0), options, own);
   }
 
   const SeamMesh& mesh_;
   const SeamOptions& options_;
+};
+
+/// Finds seams once more for components that have creases, starting with the patches between them,
+/// and takes those that cost less.
+class CreaseFinder {
+ public:
+  CreaseFinder(const SeamMesh& mesh, const SeamOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        whole_(cutAlong(mesh, Seams(mesh.twin.size(), 0))),
+        creases_(creasesToBegin(mesh, whole_)) {}
+
+  /// `seams`, which `report` describes, were found starting with whole components.
+  void run(Seams& seams, SeamReport& report) const {
+    if (creases_.empty()) return;
+    const SeamPart part = extractCharts(mesh_, whole_, componentsWithCreases());
+    SeamOptions options = options_;
+    options.first = part.ofCorners(creases_);
+    options.eliminationRanks = part.ofVertices(report.eliminationRanks);
+    SeamReport own;
+    const Seams found = findInRounds(part.mesh, Seams(part.mesh.twin.size(), 0), options, own);
+    report.cancelled = report.cancelled || own.cancelled;
+    if (!report.cancelled) takeCheaper(part, found, own, seams, report);
+  }
+
+ private:
+  IdVector<CutChartId, std::uint8_t> componentsWithCreases() const {
+    IdVector<CutChartId, std::uint8_t> out(whole_.charts.size(), 0);
+    for (const SurfaceCorner h : creases_.ids())
+      if (creases_[h]) out[whole_.chartOf(h)] = 1;
+    return out;
+  }
+
+  IdVector<CutChartId, double> costs(const Seams& seams, const LogScales& u) const {
+    return costOfParts(mesh_, seams, u, options_.maxStretch, whole_.chartOfTriangle,
+                       whole_.charts.size(), options_.prices);
+  }
+
+  void takeCheaper(const SeamPart& part, const Seams& found, const SeamReport& own, Seams& seams,
+                   SeamReport& report) const {
+    Seams other = seams;
+    LogScales scale = report.scale;
+    for (const SurfaceCorner i : found.ids()) other[part.wholeHalfEdge[i]] = found[i];
+    for (const SurfaceVertex i : own.scale.ids()) scale[part.wholeVertex[i]] = own.scale[i];
+    const IdVector<CutChartId, double> before = costs(seams, report.scale),
+                                       after = costs(other, scale);
+    for (const SurfaceCorner i : found.ids()) {
+      const SurfaceCorner h = part.wholeHalfEdge[i];
+      if (!(after[whole_.chartOf(h)] < before[whole_.chartOf(h)])) continue;
+      seams[h] = found[i];
+      report.found[h] = own.found[i];
+      report.scale[mesh_.tail(h)] = own.scale[part.mesh.tail(i)];
+      report.foundScale[mesh_.tail(h)] = own.foundScale[part.mesh.tail(i)];
+    }
+    const CutSurface s = cutAlong(mesh_, seams);
+    report.stretch = predictStretch(mesh_, s, report.scale).total;
+    report.charts = 0;
+    for (const CutSurface::Chart& chart : s.charts)
+      report.charts += !mesh_.isFilling(chart.firstTriangle);
+  }
+
+  const SeamMesh& mesh_;
+  const SeamOptions& options_;
+  const CutSurface whole_;  ///< its charts are the components
+  const Seams creases_;
 };
 
 /// With seams marked on both sides.
@@ -352,8 +157,9 @@ Seams findInOrder(const SeamMesh& mesh, Seams seams, const SeamOptions& options,
                   SeamReport& report) {
   const bool isFree = options.isAuto && options.first.empty() &&
                       std::find(seams.begin(), seams.end(), 1) == seams.end();
-  if (mesh.triangleCount() > 0) seams = Finder(mesh, std::move(seams), options, report).run();
+  if (mesh.triangleCount() > 0) seams = findInRounds(mesh, std::move(seams), options, report);
   if (!isFree) report.asymmetry = Asymmetry::SeamsGiven;
+  if (isFree && !report.cancelled) CreaseFinder(mesh, options).run(seams, report);
   if (isFree && !report.cancelled) SymmetricFinder(mesh, options).run(seams, report);
   report.seamLength = lengthOf(mesh, seams);
   const double size = std::sqrt(mesh.totalArea());

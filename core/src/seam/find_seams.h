@@ -7,6 +7,7 @@
 #include "abflat/generated/unwrap_options.h"
 #include "base/parallel.h"
 #include "cut/cut_surface.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 
@@ -24,6 +25,7 @@ struct SeamOptions {
   /// Parts that are disks before anything is cut stay whole, however much they are distorted.
   bool keepDisks = false;
   EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are computed
+  SeamPrices prices;
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
   ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread

@@ -12,6 +12,7 @@
 #include "seam/log_scale.h"
 #include "seam/prediction.h"
 #include "seam/room.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 namespace {
@@ -30,7 +31,7 @@ struct SharedRun {
   CutChartId a, b;                   ///< a < b
   std::vector<SurfaceCorner> edges;  ///< half-edges of a, in order
   BoundaryIndex begin;               ///< index of the first edge in the loop of a
-  double length = 0;
+  double length = 0, cost = 0;
 };
 
 /// What would be joined, on a surface of its own, or on the whole surface if that is mostly what is
@@ -38,8 +39,8 @@ struct SharedRun {
 struct Trial {
   std::unique_ptr<SeamPart> part;  ///< null: the whole
   CutSurface joined, apart;
-  LogScales u;  ///< of the joined surface
-  Prediction prediction;
+  LogScales u;                    ///< of the joined surface
+  Prediction prediction, before;  ///< joined, apart
 
   /// The half-edge of the trial that corresponds to one of the whole.
   SurfaceCorner inTrial(SurfaceCorner h) const {
@@ -106,13 +107,14 @@ class Merger {
 
   /// The edges of the run that begin between two distances along it.
   SharedRun partOf(const SharedRun& run, double from, double to) const {
-    SharedRun out{run.a, run.b, {}, run.begin, 0};
+    SharedRun out{run.a, run.b, {}, run.begin, 0, 0};
     double passed = 0;
     for (const SurfaceCorner h : run.edges) {
       if (passed < from) ++out.begin;
       if (passed >= from && passed < to) {
         out.edges.push_back(h);
         out.length += mesh_.length[h];
+        out.cost += mesh_.cost[h];
       }
       passed += mesh_.length[h];
     }
@@ -139,9 +141,10 @@ class Merger {
       const bool isNew = other != last;
       last = other;
       if (!other.exists() || other <= chart || !s.charts[other].isDisk()) continue;
-      if (isNew) out.push_back({chart, other, {}, at});
+      if (isNew) out.push_back({chart, other, {}, at, 0, 0});
       out.back().edges.push_back(h);
       out.back().length += mesh_.length[h];
+      out.back().cost += mesh_.cost[h];
     }
   }
 
@@ -196,7 +199,7 @@ class Merger {
     for (const CutChartId c : s.charts.ids())
       if (s.charts[c].isDisk()) addRuns(s, c, runs);
     sortStably(runs, [](const SharedRun& x, const SharedRun& y) {
-      return x.length != y.length ? x.length > y.length : x.edges.front() < y.edges.front();
+      return x.cost != y.cost ? x.cost > y.cost : x.edges.front() < y.edges.front();
     });
     if (isHinge_) runs = hingesOf(s, runs);
     IdVector<CutChartId, std::uint8_t> isUsed(s.charts.size(), 0);
@@ -234,6 +237,7 @@ class Merger {
     out.joined = std::move(s);
     out.u = work_.scale.solve(out.joined, {});
     if (!out.u.empty()) out.prediction = predictStretch(mesh_, out.joined, out.u);
+    out.before = predictStretch(mesh_, out.apart, u_);
     return out;
   }
 
@@ -252,13 +256,31 @@ class Merger {
     out.apart = cutAlong(mesh, between, pulse_);
     out.u = LogScale(mesh, options_.pool, std::move(ranks)).solve(out.joined, {});
     if (!out.u.empty()) out.prediction = predictStretch(mesh, out.joined, out.u);
+    out.before = predictStretch(mesh, out.apart, out.part->ofVertices(u_));
     return out;
   }
 
   const SeamMesh& meshOf(const Trial& trial) const { return trial.part ? trial.part->mesh : mesh_; }
 
+  /// Whether joining charts along a run is worth what it stretches them.
+  bool isWorth(const Trial& trial, SurfaceCorner h, const SharedRun& run) const {
+    const SeamPrices& prices = options_.prices;
+    const CutChartId whole = trial.joined.chartOf(h);
+    const double all = trial.joined.charts[whole].area;
+    const auto costOf = [&](const CutSurface& s, const Prediction& told, CutChartId c) {
+      return prices.ofStretch(told.stretch[c]) * s.charts[c].area / all;
+    };
+    // A short piece of a crease is no reason to leave two charts hanging together.
+    constexpr double kHardlyHidden = 0.5;
+    if (isHinge_ && run.cost < kHardlyHidden * run.length) return false;
+    double more = costOf(trial.joined, trial.prediction, whole);
+    for (const SurfaceCorner side : {h, meshOf(trial).twin[h]})
+      more -= costOf(trial.apart, trial.before, trial.apart.chartOf(side));
+    return more <= run.cost / std::sqrt(all) + prices.chart;
+  }
+
   /// `h`: one of the opened half-edges.
-  bool keepsBounds(const Trial& trial, SurfaceCorner h) const {
+  bool keepsBounds(const Trial& trial, SurfaceCorner h, const SharedRun& run) const {
     // What is cut is cut for good reasons, so no union may come near the bound. One that is joined
     // only along a part of its seam is not stretched more than its charts are.
     constexpr double kMuch = 0.7, kNearlyAll = 0.95;
@@ -268,6 +290,7 @@ class Merger {
     if (!s.charts[chart].isDisk() ||
         trial.prediction.stretch[chart] > 1 + ofBound * (options_.maxStretch - 1))
       return false;
+    if (!isWorth(trial, h, run)) return false;
     const auto outline = [&](const CutSurface& surface, CutChartId c) {
       return predictOutline(meshOf(trial), surface, c, trial.u);
     };
@@ -291,7 +314,7 @@ class Merger {
     std::uint32_t done = 0;
     for (const SharedRun& run : runs) {
       const SurfaceCorner h = trial.inTrial(run.edges.front());
-      if (!trial.u.empty() && keepsBounds(trial, h)) {
+      if (!trial.u.empty() && keepsBounds(trial, h, run)) {
         ++done;
         isDone[trial.joined.chartOf(h)] = 1;
         continue;

@@ -137,9 +137,23 @@ HoleId PieceCutter::holeAt(SurfaceCorner h) const {
   return {};
 }
 
+/// For its length, where it can be seen.
+double PieceCutter::costOf(const Path& path) const {
+  double cost = 0, length = 0;
+  for (const SurfaceCorner h : path) {
+    if (!mesh_.isOnSurface(h)) continue;
+    cost += mesh_.cost[h];
+    length += mesh_.length[h];
+  }
+  return length > 0 ? cost / length : 0;
+}
+
 void PieceCutter::take(const Path& path) {
   for (const SurfaceCorner h : path) {
-    if (mesh_.isOnSurface(h)) length_ += mesh_.length[h];
+    if (mesh_.isOnSurface(h)) {
+      length_ += mesh_.length[h];
+      cost_ += std::min(mesh_.cost[h], mesh_.length[h]);
+    }
     isCut_[h] = isCut_[surface_.twin[h]] = 1;
     cuts_.push_back(h);
     if (const HoleId hole = holeAt(h); hole.exists()) open(hole);
@@ -218,7 +232,8 @@ void PieceCutter::relabel(PieceId piece, SurfaceTriangle start, PieceId label, P
   }
 }
 
-bool PieceCutter::split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach) {
+bool PieceCutter::split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach,
+                        double mostCost) {
   constexpr double kNarrow = 1.2, kWide = 2;
   const Loop loop = pieces_[piece].loop;
   // Halving the distance keeps any vertex from being near both ends.
@@ -229,7 +244,7 @@ bool PieceCutter::split(PieceId piece, BoundaryIndex from, BoundaryIndex to, dou
   const auto isSolid = [&](SurfaceCorner h) {
     return !mesh_.isFilling(triangleOf(surface_.twin[h]));
   };
-  if (std::none_of(path.begin(), path.end(), isSolid)) return false;
+  if (std::none_of(path.begin(), path.end(), isSolid) || costOf(path) > mostCost) return false;
   take(path);
   const auto indexOf = [&](OpenVertex v) {
     return BoundaryIndex(std::find(loop.begin(), loop.end(), v) - loop.begin());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "cut/cut_surface.h"
@@ -27,10 +28,13 @@ class PieceCutter {
   const IdVector<PieceId, Piece>& pieces() const { return pieces_; }
   const std::vector<SurfaceCorner>& cuts() const { return cuts_; }
   double length() const { return length_; }  ///< of the visible cuts
+  double cost() const { return cost_; }      ///< theirs, at most their length
 
   /// Cuts from near one point of the loop to near another, at most `reach` away from each. What is
-  /// on the right of the cut becomes a new piece, the last one. False if there is no path.
-  bool split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach);
+  /// on the right of the cut becomes a new piece, the last one. False if there is no path, or if it
+  /// costs more than `mostCost` for its length.
+  bool split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach,
+             double mostCost = HUGE_VAL);
 
  private:
   using Loop = IdVector<BoundaryIndex, OpenVertex>;
@@ -40,6 +44,7 @@ class PieceCutter {
   Vertices verticesNear(const Loop& loop, BoundaryIndex i, double reach) const;
   Path findPath(PieceId piece, const Vertices& from, const Vertices& to, double room) const;
   bool isOpen(PieceId piece, SurfaceCorner h) const;
+  double costOf(const Path& path) const;
   void take(const Path& path);
   void open(HoleId hole);
   OpenVertex nextAlongRim(HoleId hole, OpenVertex v) const;
@@ -60,7 +65,7 @@ class PieceCutter {
   IdVector<OpenVertex, std::uint8_t> isTaken_;  ///< on the boundary of its piece
   IdVector<SurfaceCorner, std::uint8_t> isCut_;
   std::vector<SurfaceCorner> cuts_;
-  double length_ = 0;
+  double length_ = 0, cost_ = 0;
 };
 
 }  // namespace abflat

@@ -40,7 +40,8 @@ std::vector<PlanePoint> pointsBetween(const FlatLoop& loop, const std::vector<Bo
 
 }  // namespace
 
-PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit)
+PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit,
+                           double mostCost)
     : flat_(flat),
       unit_(std::sqrt(mesh.totalArea() * flat.unitArea)),
       fit_(fit),
@@ -51,6 +52,7 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
     const PieceId piece = addPiece();
     shapes_[piece].canCut = flat.canCut[chart] != 0;
     shapes_[piece].density = flat.density[chart];
+    shapes_[piece].mostCost = mostCost;
     // The filling taken out of a hole needs no room.
     if (!mesh.isFilling(flat.surface.charts[chart].firstTriangle)) takeShape(piece);
   }
@@ -73,7 +75,7 @@ bool PieceFitting::fitInto(double side, double mostCost, int& tries) {
 bool PieceFitting::fits(double side) { return missingArea(placed(side, 0)) == 0; }
 
 std::vector<LongChart> PieceFitting::longCharts() const {
-  constexpr double kLong = 12;  // times as long as wide
+  constexpr double kLong = 10;  // the square of half the outline, relative to the area: 8 by 1
   std::vector<LongChart> out;
   for (const CutChartId chart : flat_.surface.charts.ids()) {
     const PieceId p(std::uint32_t{chart});
@@ -247,9 +249,10 @@ bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, 
 bool PieceFitting::cut(const Candidate& c) {
   const Shape& shape = shapes_[c.piece];
   const BoundaryIndex from = shape.ends[c.chord.from], to = shape.ends[c.chord.to];
-  if (!cutter_.split(c.piece, from, to, shape.reach)) return false;
+  if (!cutter_.split(c.piece, from, to, shape.reach, shape.mostCost)) return false;
   const PieceId added = addPiece();
   shapes_[added].density = shapes_[c.piece].density;
+  shapes_[added].mostCost = shapes_[c.piece].mostCost;
   takeShape(c.piece);
   takeShape(added);
   return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -30,7 +31,9 @@ struct LongChart {
 /// Cuts charts until they fit into a square.
 class PieceFitting {
  public:
-  PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit);
+  /// `mostCost`: the most that a cut may cost for its length, except in long charts.
+  PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit,
+               double mostCost = HUGE_VAL);
   PieceFitting(const PieceFitting& other);  // out of line: there is much to copy
   ~PieceFitting();
 
@@ -49,13 +52,16 @@ class PieceFitting {
   /// Cuts a chart that has not been cut yet across, into that many parts or fewer.
   void cutAcross(const LongChart& chart, int parts);
 
+  /// Lets a long chart be cut in plain sight.
+  void cutAnywhere(const LongChart& chart) { shapes_[chart.piece].mostCost = HUGE_VAL; }
+
   const std::vector<SurfaceCorner>& cuts() const { return cutter_.cuts(); }
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
   /// Length of the cuts, divided by the root of the surface area.
   double length() const { return cutter_.length() / size_; }
-  double cost() const { return costOf(count(), length()); }
-  /// A cut costs its length plus a fixed amount: two charts are harder to paint on.
-  static double costOf(int count, double length) { return length + kCostOfCut * count; }
+  double cost() const { return costOf(count(), cutter_.cost() / size_); }
+  /// A cut costs what its seam does plus a fixed amount: two charts are harder to paint on.
+  static double costOf(int count, double seams) { return seams + kCostOfCut * count; }
 
  private:
   using Placed = IdVector<PieceId, std::uint8_t>;
@@ -86,6 +92,7 @@ class PieceFitting {
     std::optional<std::vector<OutlineChord>> chords;
     double density = 1;
     bool canCut = true;
+    double mostCost = HUGE_VAL;  ///< of a cut, for its length
   };
 
   static constexpr double kCostOfCut = 0.375;

@@ -15,7 +15,8 @@ using RegionId = Id<struct RegionIdTag>;
 class Regions {
  public:
   explicit Regions(const SeamMesh& mesh) : mesh_(mesh), ofTriangle_(mesh.triangleCount()) {
-    for (const SurfaceTriangle f : mesh.triangles()) normal_.push_back(normalOf(f));
+    for (const SurfaceTriangle f : mesh.triangles())
+      normal_.push_back(unitNormal(mesh.positions, verticesOf(mesh.vertexOfCorner, f)));
     for (const SurfaceTriangle f : mesh.triangles())
       if (!ofTriangle_[f].exists() && !mesh.isFilling(f)) spread(f);
   }
@@ -36,15 +37,6 @@ class Regions {
  private:
   static constexpr double kFlat = 1 - 1e-6;     // cosine between neighbours
   static constexpr double kCrease = 0.8660254;  // cosine of 30 degrees
-
-  Vec3 normalOf(SurfaceTriangle f) const {
-    const TriangleVertices v = verticesOf(mesh_.vertexOfCorner, f);
-    Vec3 n =
-        cross(edgeVector(mesh_.positions, v[0], v[1]), edgeVector(mesh_.positions, v[0], v[2]));
-    const double length = norm(n);
-    for (double& x : n) x = length > 0 ? x / length : 0;
-    return n;
-  }
 
   /// All triangles around `first` that lie in its plane, and the rest of their faces.
   void spread(SurfaceTriangle first) {
@@ -78,7 +70,7 @@ class Regions {
   /// Regions whose Euler characteristic, 2 less the number of boundary loops, tells of several
   /// holes.
   std::vector<std::uint8_t> plates() const {
-    constexpr int kMostOfOthers = -2;  // that of a disk with three holes
+    constexpr int kMostOfOthers = 0;  // that of a disk with a hole
     std::vector<int> euler(count_, 0);
     for (const RegionId region : ofTriangle_)
       if (region.exists()) ++euler[region];

@@ -1,6 +1,7 @@
 #include "seam/shorten_seams.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -8,6 +9,7 @@
 #include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/seam_tips.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 namespace {
@@ -145,7 +147,8 @@ class Shortener {
         const SeamTip& tip = choice.tip;
         choice.count = tip.edges.size();
         while (choice.count > 0 &&
-               tip.stretch[choice.count - 1] > rate * tip.length[choice.count - 1])
+               (tip.stretch[choice.count - 1] > rate * tip.length[choice.count - 1] ||
+                !isWorth(c, tip, choice.count)))
           --choice.count;
         if (choice.count > 0) sum += tip.stretch[choice.count - 1];
       }
@@ -161,6 +164,19 @@ class Shortener {
     }
     takeAt(low);
     keepLongest(progress_[c].most, choices);
+  }
+
+  /// What it costs to stretch a chart more than now.
+  double priceOf(CutChartId c, double stretch) const {
+    const SeamPrices& prices = work_.options.prices;
+    return (prices.ofStretch(stretch) - prices.ofStretch(prediction_.stretch[c])) *
+           std::sqrt(surface_.charts[c].area);
+  }
+
+  /// Whether it is better not to have the first `count` edges of a tip.
+  bool isWorth(CutChartId c, const SeamTip& tip, std::size_t count) const {
+    const double stretch = prediction_.stretch[c] + progress_[c].model * tip.stretch[count - 1];
+    return priceOf(c, stretch) <= tip.length[count - 1];
   }
 
   /// Keeps only the `most` longest choices, after more of them did not work together.
@@ -182,15 +198,18 @@ class Shortener {
                                              const CutSurface& next, const Prediction& told,
                                              const LogScales& u) const {
     IdVector<CutChartId, std::uint8_t> isChanged(progress_.size(), 0), out(progress_.size(), 0);
+    IdVector<CutChartId, double> gain(progress_.size(), 0);
     for (const Choice& choice : choices) {
       const CutChartId c = choice.tip.chart;
       isChanged[c] = 1;
+      if (choice.count > 0) gain[c] += choice.tip.length[choice.count - 1];
       for (std::size_t i = 0; i < choice.count; ++i)
         if (told.shift(c, u[mesh_.vertexOfCorner[choice.tip.edges[i]]]) > kMostShift) out[c] = 1;
     }
     for (const CutChartId c : out.ids())
       if (isChanged[c] &&
-          (told.stretch[c] > work_.options.maxStretch || !next.charts[c].isDisk() ||
+          (told.stretch[c] > work_.options.maxStretch || priceOf(c, told.stretch[c]) > gain[c] ||
+           !next.charts[c].isDisk() ||
            overlapsMore(mesh_, {next, c, u}, {surface_, c, u_}, work_.options.mostOverlap)))
         out[c] = 1;
     return out;

@@ -5,6 +5,7 @@
 
 #include "pack/outline.h"
 #include "unwrap/rounding.h"
+#include "unwrap/upward.h"
 
 namespace abflat {
 namespace {
@@ -17,10 +18,13 @@ double sizeOf(const PackedCharts& packed, ChartId i) {
   return packed.charts.flat[i].enlarged * packed.density(i);
 }
 
-PackShape shapeOf(const ChartTopology& chart, const FlatChart& flat, double size) {
+PackShape shapeOf(const ChartTopology& chart, const FlatChart& flat, const Point2& up,
+                  double size) {
   PackShape out;
   out.isFixed = flat.isFixed;
   out.uv = flat.isFixed ? flat.uv : flat.unpacked;
+  out.upU = up[0];
+  out.upV = up[1];
   if (!flat.isFixed && size != 1)
     for (double& x : out.uv) x *= size;
   const auto corners = chart.vertexOfCorner.begin();
@@ -36,8 +40,13 @@ std::vector<PackShape> shapesOf(const PackedCharts& packed) {
   const auto& [set, flat] = packed.charts;
   std::vector<PackShape> out;
   out.reserve(set.size());
-  for (const ChartId i : set.ids())
-    out.push_back(shapeOf(set.topology(i), flat[i], sizeOf(packed, i)));
+  for (const ChartId i : set.ids()) {
+    const ChartTopology chart = set.topology(i);
+    const Point2 upInUv = flat[i].isFixed
+                              ? Point2{}
+                              : upward(chart, flat[i].unpacked, packed.positions, packed.upAxis);
+    out.push_back(shapeOf(chart, flat[i], upInUv, sizeOf(packed, i)));
+  }
   return out;
 }
 

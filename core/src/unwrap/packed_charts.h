@@ -8,7 +8,9 @@ namespace abflat {
 
 /// The charts of a run, and their places in the atlas.
 struct PackedCharts {
-  double unit;  ///< what a length of 1 is in the mesh
+  double unit;                           ///< what a length of 1 is in the mesh
+  const std::vector<double>& positions;  ///< of the mesh's vertices
+  std::size_t upAxis;                    ///< of these, which points up
   ThreadPool& pool;
   LaidCharts& charts;
   Packing& packing;

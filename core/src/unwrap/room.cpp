@@ -22,6 +22,7 @@ namespace {
 struct RoomWish {
   double seamWorth = 0;    ///< cost, in that logarithm, of seams as long as the root of the area
   double utilization = 0;  ///< more than this counts no more
+  double mostCost = HUGE_VAL;  ///< of a cut, for its length
 };
 
 /// What packing hardly ever exceeds.
@@ -29,10 +30,13 @@ constexpr double kMostUtilization = 0.92;
 
 RoomWish wishOf(const UnwrapOptionValues& options) {
   constexpr double kSeamWorth = 0.04;
-  if (options.minUtilization == kAutoMinUtilization) return {kSeamWorth, kMostUtilization};
+  // What lies well is not cut where that would be in plain sight.
+  constexpr double kAlongFeatures = 0.5;
+  if (options.minUtilization == kAutoMinUtilization)
+    return {kSeamWorth, kMostUtilization, kAlongFeatures};
   // A fit on few cells predicts a little more or less than packing achieves.
   constexpr double kBarely = 0.005, kMore = 1.02, kMostAsked = 0.96;
-  return {kBarely, std::min(kMore * options.minUtilization, kMostAsked)};
+  return {kBarely, std::min(kMore * options.minUtilization, kMostAsked), HUGE_VAL};
 }
 
 /// The charts that are not specks, which find a place between the others.
@@ -240,11 +244,12 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   const FlatSurface surface = flatSurface(packed, open, part);
   const auto fittingOn = [&](int cells) {
     const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
-    return std::make_unique<PieceFitting>(part.mesh, surface, fit);
+    return std::make_unique<PieceFitting>(part.mesh, surface, fit, wish.mostCost);
   };
   auto uncut = fittingOn(kCells);
   const std::vector<LongChart> longCharts = uncut->longCharts();
   if (!longCharts.empty()) uncut = fittingOn(kCellsForLong);
+  for (const LongChart& chart : longCharts) uncut->cutAnywhere(chart);
   RoomSearch search(*uncut, wish, wanted, triesFor(open));
   if (!longCharts.empty())
     search.cutLong(longCharts, std::max(wanted, gainTo(kMostUtilization)), goesOn);
@@ -273,11 +278,12 @@ void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isA
     if (isBack[s.chartOf(h)]) open.seams[h] = seams[h];
 }
 
-bool isWorth(const AtlasReport& atlas, const UnwrapOptionValues& options) {
+bool isWorth(const AtlasReport& atlas, double seamCost, const UnwrapOptionValues& options) {
   const double ratio = atlas.texelDensity / atlas.uncutTexelDensity;
-  return ratio > 1 &&
-         portable::log(ratio) > wishOf(options).seamWorth *
-                                    PieceFitting::costOf(atlas.packingCuts, atlas.packingCutLength);
+  return ratio > 1 && portable::log(ratio) >
+                          wishOf(options).seamWorth *
+                              PieceFitting::costOf(atlas.packingCuts,
+                                                   std::min(seamCost, atlas.packingCutLength));
 }
 
 }  // namespace abflat

@@ -39,6 +39,6 @@ void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isA
               const Seams& seams, OpenSurface& open);
 
 /// Whether the gain in texel density is worth the packing cuts of the atlas.
-bool isWorth(const AtlasReport& atlas, const UnwrapOptionValues& options);
+bool isWorth(const AtlasReport& atlas, double seamCost, const UnwrapOptionValues& options);
 
 }  // namespace abflat

@@ -16,6 +16,7 @@
 #include "seam/log_scale.h"
 #include "seam/plates.h"
 #include "seam/prediction.h"
+#include "seam/seam_value.h"
 
 namespace abflat {
 namespace {
@@ -32,8 +33,8 @@ Seams withBorders(const Seams& given, const FixedTriangles& fixed) {
 /// Opens the surface along the given seams, so that the holes of its charts show, and fills these
 /// holes. Without holes the surface stays as it is, so that its elimination order does not depend
 /// on the given seams. The result's seams are those given that are not on its boundary.
-OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked, FillHoles mode,
-                        const Pulse& pulse) {
+OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
+                        const UnwrapOptions& options, const Pulse& pulse) {
   const Surface& surface = uncut.surface;
   const PolygonMesh& mesh = uncut.welded.mesh;
   Seams given = withBorders(asked.seams, asked.fixed);
@@ -42,13 +43,13 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked, FillH
     if (given[h]) table.twin[h] = SurfaceCorner();
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
     return makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
-                        asked.scales.ofTriangle, asked.hard, pulse);
+                        asked.scales.ofTriangle, asked.hard, options.seamCosts, pulse);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;
   OpenSurface out;
   out.mesh = meshOf(table, fans);
-  fillHoles(mode, asked.fixed.isFixed, out.mesh, pulse);
+  fillHoles(options.fillHoles, asked.fixed.isFixed, out.mesh, pulse);
   if (isAny && out.mesh.hole.empty() && asked.fixed.isFixed.empty() &&
       asked.scales.ofTriangle.empty()) {
     fans = surface.fans;
@@ -75,6 +76,7 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   SeamOptions out;
   out.isAuto = options.seams.isAuto;
   out.maxStretch = stretchBeforeRefining(options.maxStretch, options.balance);
+  if (options.seamCosts == SeamCosts::Length) out.prices = SeamPrices::none();
   out.symmetricSeams = options.symmetricSeams;
   out.fillHoles = options.fillHoles;
   if (options.udim)  // each chart has to fit a tile
@@ -178,22 +180,46 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
   findWithin(islands, isWanted, options, open, found);
 }
 
+/// Per vertex of the mesh the least rank of its fans, or the last of all.
+IdVector<InputVertex, std::uint32_t> ranksOfMesh(const OpenSurface& open, std::size_t vertices) {
+  IdVector<InputVertex, std::uint32_t> out(vertices, std::numeric_limits<std::uint32_t>::max());
+  for (const SurfaceVertex v : open.eliminationRanks.ids()) {
+    // The surface may meet itself in a vertex; then the numbers of its fans must not matter.
+    std::uint32_t& rank = out[open.inputVertex[v]];
+    rank = std::min(rank, open.eliminationRanks[v]);
+  }
+  return out;
+}
+
+/// The ranks of a surface for the same mesh opened in another way, since a chart must be solved in
+/// the same order whenever it is found.
+EliminationRanks ranksOf(const OpenSurface& open, std::size_t vertices, const OpenSurface& other) {
+  const IdVector<InputVertex, std::uint32_t> ranks = ranksOfMesh(open, vertices);
+  EliminationRanks out;
+  for (const InputVertex v : other.inputVertex) out.push_back(ranks[v]);
+  return out;
+}
+
 OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked,
                      const UnwrapOptions& options, ThreadPool& pool,
-                     const std::function<bool()>& keepsOn, SeamReport& found) {
-  OpenSurface open = openAndFill(uncut, asked, options.fillHoles, Pulse(keepsOn));
+                     const std::function<bool()>& keepsOn, SeamReport& found,
+                     const OpenSurface* before = nullptr) {
+  OpenSurface open = openAndFill(uncut, asked, options, Pulse(keepsOn));
   open.unit = uncut.unit * unitOf(uncut.welded, open);
   SeamOptions toBegin = seamOptions(options, open, pool, keepsOn);
   // How much stretch refining leaves is only known to about a third, and cutting again takes
   // another run.
   constexpr double kShare = 0.85;
   if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
+  if (before) toBegin.eliminationRanks = ranksOf(*before, uncut.welded.mesh.vertexCount(), open);
+  const EliminationRanks ranks = toBegin.eliminationRanks;
   findAround(asked.fixed.isFixed, toBegin, open, found);
+  if (before) open.eliminationRanks = ranks;
   return open;
 }
 
-/// Cuts flat regions with several holes out along their creases, if that takes fewer charts. Seams
-/// may be a little longer, since creases hide them.
+/// Cuts flat regions with holes out along their creases, if that costs less than seams through
+/// them.
 void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
                 ThreadPool& pool, const std::function<bool()>& keepsOn, OpenSurface& open,
                 SeamReport& found) {
@@ -203,12 +229,13 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] || borders[h];
   SeamReport report;
   OpenSurface other = openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool,
-                               keepsOn, report);
+                               keepsOn, report, &open);
   if (report.cancelled) found.cancelled = true;
-  constexpr double kLittleLonger = 1.25;
-  if (report.cancelled || report.charts >= found.charts ||
-      seamLength(other) > kLittleLonger * seamLength(open))
-    return;
+  const SeamPrices prices = seamOptions(options, open, pool, keepsOn).prices;
+  const auto costOf = [&](const OpenSurface& x, const SeamReport& told) {
+    return seamCost(x) + prices.chart * told.charts + prices.ofStretch(told.stretch);
+  };
+  if (report.cancelled || !(costOf(other, report) < costOf(open, found))) return;
   open = std::move(other);
   found = std::move(report);
 }
@@ -329,12 +356,7 @@ void expectScale(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isA
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
   // Charts are factored in the order found for the whole surface.
-  out.eliminationRank.assign(welded.mesh.vertexCount(), std::numeric_limits<std::uint32_t>::max());
-  for (const SurfaceVertex v : open.eliminationRanks.ids()) {
-    // The surface may meet itself in a vertex; then the numbers of its fans must not matter.
-    std::uint32_t& rank = out.eliminationRank[open.inputVertex[v]];
-    rank = std::min(rank, open.eliminationRanks[v]);
-  }
+  out.eliminationRank = ranksOfMesh(open, welded.mesh.vertexCount());
   return out;
 }
 
@@ -355,6 +377,15 @@ void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& su
   summary.edges /= 2;
   const double size = std::sqrt(open.mesh.totalArea());
   summary.relativeLength = size > 0 ? length / size : 0;
+}
+
+double seamCost(const OpenSurface& open) {
+  const double size = std::sqrt(open.mesh.totalArea());
+  double sum = 0;
+  const Seams visible = visibleSeams(open);
+  for (const SurfaceCorner h : visible.ids())
+    if (visible[h]) sum += open.mesh.cost[h] / 2;
+  return size > 0 ? sum / size : 0;
 }
 
 double seamLength(const OpenSurface& open) {

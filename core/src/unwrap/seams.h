@@ -81,6 +81,9 @@ Seams visibleSeams(const OpenSurface& open);
 /// Length of all visible seams, divided by the root of the area.
 double seamLength(const OpenSurface& open);
 
+/// The same for what they cost, see SeamMesh.
+double seamCost(const OpenSurface& open);
+
 /// Sets the number of seam edges and their length.
 void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary);
 

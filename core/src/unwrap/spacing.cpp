@@ -60,7 +60,6 @@ std::string remedy(const UnwrapOptions& options, bool isFixed) {
 }  // namespace
 
 IdVector<ChartId, NearParts> nearPartsOf(const PackedCharts& packed,
-                                         const std::vector<double>& positions,
                                          const UnwrapOptionValues& options) {
   const ChartSet& set = packed.charts.set;
   const FlatCharts& flat = packed.charts.flat;
@@ -71,7 +70,7 @@ IdVector<ChartId, NearParts> nearPartsOf(const PackedCharts& packed,
     const ChartTopology chart = set.topology(i);
     // An outline that crosses itself is told of otherwise; what is projected is as near in space.
     if (!flat[i].problem.empty() || flat[i].solver == Solver::Projection) return;
-    out[i] = findNearParts(placedOutline(chart, flat[i], positions, options.resolution),
+    out[i] = findNearParts(placedOutline(chart, flat[i], packed.positions, options.resolution),
                            options.padding);
   });
   return out;

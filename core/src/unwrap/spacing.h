@@ -13,7 +13,6 @@ namespace abflat {
 /// Per chart, where its parts lie nearer to each other in the atlas than the padding. `positions`:
 /// of the vertices that charts refer to.
 IdVector<ChartId, NearParts> nearPartsOf(const PackedCharts& packed,
-                                         const std::vector<double>& positions,
                                          const UnwrapOptionValues& options);
 
 /// Cuts charts that have such parts, between them. False if there is none that can be cut.

@@ -83,8 +83,16 @@ class Unwrapping {
  private:
   SurfaceMap map() const { return {input_, welded_, surface_}; }
   CutMesh cutMesh() const { return {map(), charts_.set}; }
+  std::size_t upAxis() const {
+    return options_.up == Up::Z || (options_.up == Up::Auto && input_.isZUp) ? 2 : 1;
+  }
   PackedCharts packedCharts() {
-    return {unit_, *pool_, charts_, packing_,
+    return {unit_,
+            welded_.mesh.positions,
+            upAxis(),
+            *pool_,
+            charts_,
+            packing_,
             densitiesOf(cutMesh(), options_.faceDensities, truePositions_)};
   }
 
@@ -282,9 +290,7 @@ class Unwrapping {
   }
 
   /// What lies nearer to another part of its chart than the padding.
-  IdVector<ChartId, NearParts> nearParts() {
-    return nearPartsOf(packedCharts(), welded_.mesh.positions, options_);
-  }
+  IdVector<ChartId, NearParts> nearParts() { return nearPartsOf(packedCharts(), options_); }
 
   /// Cuts charts whose parts are too near each other, and packs again, unless that does not fit.
   Status keepPartsApart() {
@@ -341,7 +347,7 @@ class Unwrapping {
     if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
     open_.seams.resize(open_.mesh.twin.size(), 0);
     Seams seams = open_.seams;
-    const double length = seamLength(open_);
+    const double length = seamLength(open_), cost = seamCost(open_);
     addCuts(cuts, options_, open_);
     PackedState before{openAnew(), std::move(seams), std::move(packing_), report_.atlas};
     // Where they lie, their new ends need not be straight.
@@ -353,7 +359,7 @@ class Unwrapping {
     report_.atlas.uncutTexelDensity = before.atlas.texelDensity;
     Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
-    if (packed.ok() && isWorth(report_.atlas, options_)) return {};
+    if (packed.ok() && isWorth(report_.atlas, seamCost(open_) - cost, options_)) return {};
     return restore(before);
   }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "catch.h"
+#include "pack/level_pose.h"
 #include "pack/shapes.h"
 #include "pack/texels.h"
 #include "support/instrumented.h"
@@ -51,21 +52,6 @@ void checkPacked(const std::vector<PackShape>& shapes, const PackOptions& option
     CHECK(std::hypot(p.a, p.b) == Approx(packing.scale).epsilon(1e-13));
   CHECK(packing.utilization > 0);
   CHECK(packing.utilization < 1);
-}
-
-/// Width and height of a shape that is turned and scaled by a + ib.
-std::array<double, 2> boxAlong(const PackShape& shape, double a, double b) {
-  std::array<double, 2> low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  const Placement at{a, b, 0, 0, 0};
-  for (const std::uint32_t v : shape.triangles) {
-    const double* uv = &shape.uv[2 * std::size_t{v}];
-    const double p[] = {at.u(uv), at.v(uv)};
-    for (std::size_t d = 0; d < 2; ++d) {
-      low[d] = std::min(low[d], p[d]);
-      high[d] = std::max(high[d], p[d]);
-    }
-  }
-  return {high[0] - low[0], high[1] - low[1]};
 }
 
 void checkBoundOfWork(std::size_t count) {
@@ -343,19 +329,37 @@ TEST_CASE("progress grows from 0 to at most 1", "[pack]") {
   CHECK(calls > 3);
 }
 
-TEST_CASE("without rotation each chart lies level in its smallest box", "[pack]") {
-  PackOptions options;
-  options.rotate = false;
-  const std::vector<PackShape> shapes = makePackShapes("mixed", 50, 3, 2);
-  const Packing packing = packed(shapes, options);
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const Placement& p = packing.placements[i];
-    const auto [width, height] = boxAlong(shapes[i], p.a, p.b);
-    CHECK(width >= height * (1 - 1e-9));
-    for (int k = 1; k < 180; ++k) {
-      const double cos = std::cos(k * 0.01), sin = std::sin(k * 0.01);
-      const auto other = boxAlong(shapes[i], p.a * cos - p.b * sin, p.a * sin + p.b * cos);
-      CHECK(width * height <= other[0] * other[1] * (1 + 1e-9));
+TEST_CASE("charts are turned only as far as they may", "[pack]") {
+  std::vector<PackShape> shapes = makePackShapes("mixed", 50, 3, 2);
+  for (std::size_t i = 0; i < shapes.size(); i += 2) {
+    shapes[i].upU = std::sin(0.3 * static_cast<double>(i));
+    shapes[i].upV = std::cos(0.3 * static_cast<double>(i));
+  }
+  for (const Rotate rotate : {Rotate::None, Rotate::Quarter}) {
+    PackOptions options;
+    options.rotate = rotate;
+    const Packing packing = packed(shapes, options);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const Loops loops = coveringLoops(shapes[i]);
+      const Pose pose =
+          levelPose(loops, convexHull(loops.points), {shapes[i].upU, shapes[i].upV}).pose;
+      const Placement& p = packing.placements[i];
+      const double along = (p.a * pose.cos + p.b * pose.sin) / packing.scale;
+      const double across = (p.b * pose.cos - p.a * pose.sin) / packing.scale;
+      const double most = std::max(std::abs(along), std::abs(across));
+      CHECK((rotate == Rotate::None ? along : most) == Approx(1).epsilon(1e-12));
     }
   }
+}
+
+TEST_CASE("charts that stand are upright where that costs few texels", "[pack]") {
+  std::vector<PackShape> shapes = makePackShapes("rectangles", 60, 4, 2);
+  for (PackShape& shape : shapes) shape.upV = 1;
+  PackOptions options;
+  const double freely = packed(makePackShapes("rectangles", 60, 4, 2), options).texelDensity;
+  const Packing packing = packed(shapes, options);
+  const auto turned = std::count_if(packing.placements.begin(), packing.placements.end(),
+                                    [](const Placement& p) { return !(p.a > std::abs(p.b)); });
+  CHECK(packing.texelDensity > 0.95 * freely);
+  CHECK(turned < 20);
 }

@@ -29,7 +29,7 @@ std::vector<Outline> boxes(std::size_t count, unsigned seed) {
 }
 
 QuickFit fitOf(const std::vector<Outline>& outlines) {
-  QuickFit out(1024, 2, true, 96);
+  QuickFit out(1024, 2, Rotate::Free, 96);
   for (const Outline& outline : outlines) out.add(out.itemOf(outline));
   return out;
 }

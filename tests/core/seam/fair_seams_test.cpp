@@ -74,7 +74,7 @@ std::vector<std::array<unsigned, 2>> detour() {
 }  // namespace
 
 TEST_CASE("a path that goes a detour is drawn straight, and stays where it has no room", "[fair]") {
-  const Cuttable c(sheet([](double, double) { return 0.0; }));
+  const Cuttable c(sheet([](double, double) { return 0.0; }), SeamCosts::Length);
   const SeamMesh& mesh = c.seamMesh;
   Seams before(mesh.twin.size(), 0);
   const std::vector<SurfaceCorner> path = markedPath(mesh, detour(), before);
@@ -90,7 +90,7 @@ TEST_CASE("a path that goes a detour is drawn straight, and stays where it has n
 }
 
 TEST_CASE("one of two paths as long is taken that turns less", "[fair]") {
-  const Cuttable c(sheet([](double, double) { return 0.0; }));
+  const Cuttable c(sheet([](double, double) { return 0.0; }), SeamCosts::Length);
   const SeamMesh& mesh = c.seamMesh;
   Seams staircase(mesh.twin.size(), 0), seams;
   std::vector<std::array<unsigned, 2>> places;
@@ -120,10 +120,12 @@ TEST_CASE("a crease is taken and not the flat beside it", "[fair]") {
 
 TEST_CASE("fairing keeps charts and their topology, and lowers what seams cost", "[fair]") {
   for (unsigned seed = 1; seed <= 4; ++seed) {
-    const Cuttable c(seed <= 2 ? isosurface(18, rings(seed)) : isosurface(16, noise(2, seed)));
+    const Cuttable c(seed <= 2 ? isosurface(18, rings(seed)) : isosurface(16, noise(2, seed)),
+                     SeamCosts::Length);
     const SeamMesh& mesh = c.seamMesh;
     SeamOptions options;
     options.maxStretch = 1.01;
+    options.prices = SeamPrices::none();
     const Seams before = findSeams(mesh, {}, options, nullptr);
     // A noisy cost, so that there is much to redraw.
     IdVector<SurfaceCorner, double> cost = mesh.cost;

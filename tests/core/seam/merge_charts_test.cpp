@@ -39,7 +39,8 @@ Seams alongColumns(const SeamMesh& m, int count, const std::vector<int>& columns
 std::uint32_t merged(const SeamMesh& mesh, const Seams& kept, Seams& seams) {
   LogScale scale(mesh, nullptr);
   LogScales u = scale.solve(cutAlong(mesh, seams), {});
-  const SeamOptions options;
+  SeamOptions options;
+  options.prices = SeamPrices::none();
   return mergeCharts({mesh, kept, options, scale, u, seams});
 }
 
@@ -105,9 +106,10 @@ TEST_CASE("charts hang together by a part of their seam where all of it cannot b
 
 TEST_CASE("joined charts keep the bounds, and no seam is added", "[merge][quality]") {
   for (const PolygonMesh& mesh : {isosurface(24, rings(2)), isosurface(28, noise(2, 4))}) {
-    const Cuttable c(mesh);
+    const Cuttable c(mesh, SeamCosts::Length);
     SeamOptions tight;
     tight.maxStretch = 1.01;
+    tight.prices = SeamPrices::none();
     const Seams before = findSeams(c.seamMesh, {}, tight, nullptr);
     Seams seams = before;
     const std::uint32_t done = merged(c.seamMesh, Seams(before.size(), 0), seams);

@@ -56,12 +56,12 @@ std::size_t borderEdges(const PolygonMesh& mesh) {
 }  // namespace
 
 TEST_CASE("the borders of a plate are the rims of its holes and its own") {
-  for (const unsigned n : {2u, 3u, 5u})
+  for (const unsigned n : {1u, 2u, 3u, 5u})
     CHECK(borderEdges(grille(n, 0.5)) == 2 * (4 * n * n + 4 * (2 * n + 1)));
 }
 
-TEST_CASE("what is curved or has few holes is no plate") {
-  CHECK(borderEdges(grille(1, 0.5)) == 0);
+TEST_CASE("what is curved or has no hole is no plate") {
+  CHECK(borderEdges(squares(4, 4, [](auto, auto) { return true; })) == 0);
   CHECK(borderEdges(torus(24, 12)) == 0);
   CHECK(borderEdges(bumpyGrid(8, 8, 0.1, 1)) == 0);
 }

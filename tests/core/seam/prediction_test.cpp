@@ -81,9 +81,11 @@ TEST_CASE("what a ring covers twice is measured, and found to cross", "[seams]")
 }
 
 TEST_CASE("the shortest chord of a dumb-bell is across its handle", "[seams]") {
-  const Cuttable c(squares(30, 10, [](std::uint32_t i, std::uint32_t j) {
-    return i < 10 || i >= 20 || (j >= 4 && j < 6);
-  }));
+  const Cuttable c(squares(30, 10,
+                           [](std::uint32_t i, std::uint32_t j) {
+                             return i < 10 || i >= 20 || (j >= 4 && j < 6);
+                           }),
+                   SeamCosts::Length);
   const CutSurface s = uncut(c);
   const PathForest forest = findPaths(c.seamMesh, s, {});
   const CutPaths paths{c.seamMesh, s, forest};

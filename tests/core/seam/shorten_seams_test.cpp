@@ -19,7 +19,7 @@ namespace {
 /// A plane with a round hill, and a slit from the border over its top and far beyond.
 struct Hill {
   static constexpr unsigned kSide = 41;
-  Cuttable c{makeTriangleMesh(positions(), triangles())};
+  Cuttable c{makeTriangleMesh(positions(), triangles()), SeamCosts::Length};
   Seams seams = Seams(c.seamMesh.twin.size(), 0);
 
   Hill() {
@@ -67,9 +67,11 @@ double stretchOf(const SeamMesh& mesh, const Seams& seams) {
   return predictStretch(mesh, s, LogScale(mesh, nullptr).solve(s, {})).stretch.front();
 }
 
-Seams shortened(const Hill& hill, double maxStretch) {
+Seams shortened(const Hill& hill, double maxStretch,
+                const SeamPrices& prices = SeamPrices::none()) {
   SeamOptions options;
   options.maxStretch = maxStretch;
+  options.prices = prices;
   Seams out = hill.seams;
   LogScales u;
   LogScale scale(hill.c.seamMesh, nullptr);
@@ -126,6 +128,26 @@ TEST_CASE("seams are taken back as far as the bound allows", "[seams]") {
     before = length;
   }
   CHECK(lengthOf(mesh, shortened(hill, 2)) == 0);
+}
+
+TEST_CASE("what stretch costs more than a seam is worth is not taken back", "[seams]") {
+  const Hill hill;
+  const SeamMesh& mesh = hill.c.seamMesh;
+  const double bound = 2;
+  double before = lengthOf(mesh, shortened(hill, bound));
+  for (const double price : {2.0, 20.0, 200.0}) {
+    SeamPrices prices = SeamPrices::none();
+    prices.stretch = price;
+    const Seams seams = shortened(hill, bound, prices);
+    CAPTURE(price);
+    CHECK(lengthOf(mesh, seams) >= before);
+    before = lengthOf(mesh, seams);
+    // No more than it costs.
+    const double gained = lengthOf(mesh, hill.seams) - before;
+    const double more = stretchOf(mesh, seams) - stretchOf(mesh, hill.seams);
+    CHECK(price * more * std::sqrt(mesh.totalArea()) <= gained * 1.01);
+  }
+  CHECK(before > 0);
 }
 
 TEST_CASE("where there is no room seams stay as they are", "[seams]") {

@@ -24,10 +24,10 @@ class Sets {
 
 }  // namespace
 
-Cuttable::Cuttable(PolygonMesh polygons)
+Cuttable::Cuttable(PolygonMesh polygons, SeamCosts costs)
     : mesh(std::move(polygons)),
       surface(buildSurface(mesh)),
-      seamMesh(makeSeamMesh(mesh.positions, surface.table, surface.fans)) {}
+      seamMesh(makeSeamMesh(mesh.positions, surface.table, surface.fans, {}, {}, {}, costs)) {}
 
 std::vector<PolygonMesh> chartsOf(const Cuttable& cuttable, const Seams& seams) {
   const CornerTable& table = cuttable.surface.table;

@@ -14,7 +14,7 @@ struct Cuttable {
   Surface surface;
   SeamMesh seamMesh;
 
-  explicit Cuttable(PolygonMesh polygons);
+  explicit Cuttable(PolygonMesh polygons, SeamCosts costs = SeamCosts::Sight);
 };
 
 /// The charts as meshes of their own, found by joining corners and triangles across edges that are

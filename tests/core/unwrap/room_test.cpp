@@ -47,6 +47,18 @@ PolygonMesh sheared(PolygonMesh mesh) {
   return mesh;
 }
 
+/// A strip of squares, folded like a staircase.
+PolygonMesh folded(unsigned squares) {
+  PolygonMesh mesh = strip(squares, 1, squares, 1);
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    double* p = &mesh.positions[3 * v];
+    const double along = std::round(p[0]);
+    p[0] = std::ceil(along / 2);
+    p[2] = std::floor(along / 2);
+  }
+  return mesh;
+}
+
 /// A planar ring with a round hole.
 PolygonMesh ring(double inner, unsigned columns) {
   PolygonMesh mesh = cylinder(columns, 4);
@@ -210,10 +222,29 @@ TEST_CASE("a note says why the tile stays empty", "[room]") {
 
 TEST_CASE("a thin ring is cut through its hole", "[room]") {
   const PolygonMesh mesh = ring(0.95, 96);
-  const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
+  const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, atLeast(0.6));
   CHECK(whole.report.seams.filledHoles == 1);
   CHECK(cut.report.seams.filledHoles == 0);
   CHECK(cut.report.atlas.utilization > 2.5 * whole.report.atlas.utilization);
+}
+
+TEST_CASE("what lies well is not cut in plain sight, unless asked for", "[room]") {
+  for (const PolygonMesh& mesh : {strip(24, 4, 6, 1), ring(0.5, 48)}) {
+    CAPTURE(mesh.vertexCount());
+    const UnwrapResult whole = unwrapped(mesh, kNever), own = unwrapped(mesh, kAuto),
+                       asked = unwrapped(mesh, atLeast(0.7));
+    CHECK(own.report.atlas.packingCuts == 0);
+    CHECK(own.uv == whole.uv);
+    CHECK(asked.report.atlas.packingCuts > 0);
+  }
+}
+
+TEST_CASE("charts are cut along creases where that brings texels", "[room]") {
+  const PolygonMesh mesh = folded(7);
+  const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
+  CHECK(whole.report.charts.size() == 1);
+  CHECK(cut.report.atlas.packingCuts > 0);
+  CHECK(cut.report.atlas.utilization > 2 * whole.report.atlas.utilization);
 }
 
 TEST_CASE("what fills its square is not cut", "[room]") {
@@ -226,9 +257,15 @@ TEST_CASE("what fills its square is not cut", "[room]") {
 }
 
 TEST_CASE("cuts for packing bring texels for their length, or are not made", "[room]") {
-  const std::vector<PolygonMesh> meshes = {
-      strip(40, 4, 3, 0.5), ring(0.5, 48), ring(0.8, 64), torus(60, 12),
-      cylinder(40, 30),     cone(24, 2),   star(11),      bumpyGrid(20, 14, 0.8, 2)};
+  const std::vector<PolygonMesh> meshes = {strip(40, 4, 3, 0.5),
+                                           ring(0.5, 48),
+                                           ring(0.8, 64),
+                                           torus(60, 12),
+                                           cylinder(40, 30),
+                                           cone(24, 2),
+                                           star(11),
+                                           bumpyGrid(20, 14, 0.8, 2),
+                                           folded(7)};
   int cuts = 0;
   for (const PolygonMesh& mesh : meshes)
     for (const double balance : {0.0, 0.2}) {
@@ -257,7 +294,7 @@ TEST_CASE("a piece that comes out stretched too much is cut further, and all oth
   int cuts = 0;
   for (const double radius : {0.2, 0.3, 0.4})
     for (const double balance : {0.0, 0.2}) {
-      UnwrapOptions options = kAuto;
+      UnwrapOptions options = atLeast(0.6);
       options.balance = balance;
       options.maxStretch = balance == 0 ? 1.04 : 1.02;
       const UnwrapResult cut = unwrapped(knot(120, 14, radius), options);
@@ -283,7 +320,7 @@ TEST_CASE("charts are cut until they cover the share that is asked for", "[room]
 
 TEST_CASE("cuts for packing are the same for any number of threads", "[room]") {
   const PolygonMesh mesh = ring(0.8, 64);
-  UnwrapOptions options = kAuto;
+  UnwrapOptions options = atLeast(0.6);
   options.threads = 1;
   const UnwrapResult one = unwrapped(mesh, options);
   options.threads = 2;

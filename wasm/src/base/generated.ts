@@ -99,7 +99,13 @@ export const FLATTEN_OPTIONS = {
 
 export type FillHoles = 'auto' | 'never' | 'always';
 
+export type SeamCosts = 'sight' | 'length';
+
 export type SymmetricSeams = 'auto' | 'never' | 'always';
+
+export type Up = 'auto' | 'y' | 'z';
+
+export type Rotate = 'free' | 'quarter' | 'none';
 
 /** The options of unwrapping that are plain values, with their defaults. */
 export interface UnwrapOptionValues {
@@ -107,6 +113,7 @@ export interface UnwrapOptionValues {
   balance: number;
   orient: boolean;
   fillHoles: FillHoles;
+  seamCosts: SeamCosts;
   symmetricSeams: SymmetricSeams;
   t: number | 'auto';
   straightSeams: boolean;
@@ -115,7 +122,8 @@ export interface UnwrapOptionValues {
   texelDensity: number | 'auto';
   udim: boolean;
   minUtilization: number | 'auto';
-  rotate: boolean;
+  up: Up;
+  rotate: Rotate;
   memory: number | 'auto';
   threads: number;
 }
@@ -125,6 +133,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   balance: 0.2,
   orient: false,
   fillHoles: 'auto',
+  seamCosts: 'sight',
   symmetricSeams: 'auto',
   t: 'auto',
   straightSeams: false,
@@ -133,7 +142,8 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   texelDensity: 'auto',
   udim: false,
   minUtilization: 'auto',
-  rotate: true,
+  up: 'auto',
+  rotate: 'free',
   memory: 'auto',
   threads: 0,
 };
@@ -144,6 +154,7 @@ export const UNWRAP_OPTIONS = {
   balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)', range: 'at least 0 and at most 1' },
   orient: { type: 'boolean', default: false, text: 'turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are', range: '' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches', range: 'auto, never, always' },
+  seamCosts: { type: 'choice', default: 'sight', choices: ['sight', 'length'], text: 'what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces do not; length = their length alone, as papers and patterns have it', range: 'sight, length' },
   symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved', range: '' },
@@ -151,8 +162,9 @@ export const UNWRAP_OPTIONS = {
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts, and between far parts of one chart', range: 'at least 0 and at most 256, whole' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
-  minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)', range: 'at least 0 and at most 1, or auto' },
-  rotate: { type: 'boolean', default: true, text: 'rotate charts to pack tighter; otherwise each lies level, in its smallest box', range: '' },
+  minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)', range: 'at least 0 and at most 1, or auto' },
+  up: { type: 'choice', default: 'auto', choices: ['auto', 'y', 'z'], text: 'which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis', range: 'auto, y, z' },
+  rotate: { type: 'choice', default: 'free', choices: ['free', 'quarter', 'none'], text: 'how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all', range: 'free, quarter, none' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for the factor of the solver\'s matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
 } as const;

@@ -269,8 +269,9 @@ export const OPTION_LABELS = {
   symmetricSeams: 'Symmetric seams',
   t: 'Boundary t',
   texelDensity: 'Texel density',
-  straightSeams: 'Straight seams',
+  up: 'Up axis',
   rotate: 'Rotation',
+  straightSeams: 'Straight seams',
   udim: 'UDIM tiles',
 };
 

@@ -97,13 +97,13 @@ export class MoreControl {
   }
 
   private add(name: MoreName): void {
-    if (name === 'fillHoles' || name === 'symmetricSeams') this.addChoice(name);
-    else if (name === 't' || name === 'texelDensity') this.addNumber(name);
-    else this.addSwitch(name);
+    if (name === 't' || name === 'texelDensity') this.addNumber(name);
+    else if (name === 'straightSeams' || name === 'udim') this.addSwitch(name);
+    else this.addChoice(name);
   }
 
-  private addChoice(name: 'fillHoles' | 'symmetricSeams'): void {
-    const { choices } = UNWRAP_OPTIONS[name];
+  private addChoice(name: 'fillHoles' | 'symmetricSeams' | 'up' | 'rotate'): void {
+    const choices: readonly string[] = UNWRAP_OPTIONS[name].choices;
     const select = create('select', 'button');
     select.append(...choices.map((choice) => new Option(sentence(choice), choice)));
     this.shows.push(() => {
@@ -111,7 +111,8 @@ export class MoreControl {
     });
     select.addEventListener('change', () => {
       const chosen = choices.find((choice) => choice === select.value);
-      if (chosen) this.set({ [name]: chosen });
+      const some: Partial<MoreOptions> = {};
+      if (chosen) this.set(Object.assign(some, { [name]: chosen }));
     });
     this.addRow(name, select);
   }
@@ -131,7 +132,7 @@ export class MoreControl {
     this.addRow(name, input);
   }
 
-  private addSwitch(name: 'straightSeams' | 'rotate' | 'udim'): void {
+  private addSwitch(name: 'straightSeams' | 'udim'): void {
     const text = sentence(UNWRAP_OPTIONS[name].text);
     const button = this.switchOf(idOf(name), MORE_LABELS[name], text);
     this.shows.push(() => button.setAttribute('aria-pressed', String(this.options[name])));

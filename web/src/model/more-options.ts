@@ -7,8 +7,9 @@ export const MORE = [
   'symmetricSeams',
   't',
   'texelDensity',
-  'straightSeams',
+  'up',
   'rotate',
+  'straightSeams',
   'udim',
 ] as const satisfies (keyof UnwrapOptionValues)[];
 
@@ -21,9 +22,9 @@ export interface MoreOptions extends Pick<UnwrapOptionValues, MoreName> {
 export const MORE_LABELS: Record<MoreName, string> = OPTION_LABELS;
 
 export function defaultOptions(): MoreOptions {
-  const { fillHoles, symmetricSeams, t, texelDensity, straightSeams, rotate, udim } =
+  const { fillHoles, symmetricSeams, t, texelDensity, up, rotate, straightSeams, udim } =
     UNWRAP_DEFAULTS;
-  return { fillHoles, symmetricSeams, t, texelDensity, straightSeams, rotate, udim };
+  return { fillHoles, symmetricSeams, t, texelDensity, up, rotate, straightSeams, udim };
 }
 
 /** Several tiles need a given texel density. */
@@ -34,7 +35,7 @@ export function usedOptions(options: MoreOptions): MoreOptions {
   return { ...options, udim: options.udim && canHaveTiles(options) };
 }
 
-/** The options that differ from their defaults, such as "fill holes never" or "no rotation". */
+/** The options that differ from their defaults, such as "fill holes never" or "rotation none". */
 export function changedOptions(options: MoreOptions): string[] {
   const changed = MORE.filter((name) => options[name] !== UNWRAP_DEFAULTS[name]).map((name) => {
     const value = options[name];

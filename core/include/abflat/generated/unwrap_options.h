@@ -29,6 +29,22 @@ inline const char* nameOf(FillHoles code) {
   return "";
 }
 
+/// What automatic seams are to have little of.
+enum class SeamCosts : int {
+  Sight = 0,  ///< how much they are in sight: creases hide seams, flat faces do not
+  Length = 1,  ///< their length alone, as papers and patterns have it
+};
+
+inline const char* nameOf(SeamCosts code) {
+  switch (code) {
+    case SeamCosts::Sight:
+      return "sight";
+    case SeamCosts::Length:
+      return "length";
+  }
+  return "";
+}
+
 /// Whether automatic seams of a symmetric mesh are symmetric.
 enum class SymmetricSeams : int {
   Auto = 0,  ///< symmetric unless that makes seams longer
@@ -48,6 +64,44 @@ inline const char* nameOf(SymmetricSeams code) {
   return "";
 }
 
+/// Which axis of the mesh points up: charts that stand are laid out upright.
+enum class Up : int {
+  Auto = 0,  ///< z in STL files, y in all others
+  Y = 1,  ///< the y axis
+  Z = 2,  ///< the z axis
+};
+
+inline const char* nameOf(Up code) {
+  switch (code) {
+    case Up::Auto:
+      return "auto";
+    case Up::Y:
+      return "y";
+    case Up::Z:
+      return "z";
+  }
+  return "";
+}
+
+/// How charts, which lie level and upright, are turned to pack tighter.
+enum class Rotate : int {
+  Free = 0,  ///< by any angle where that gains 3 % texels per unit or more
+  Quarter = 1,  ///< by quarter turns only
+  None = 2,  ///< not at all
+};
+
+inline const char* nameOf(Rotate code) {
+  switch (code) {
+    case Rotate::Free:
+      return "free";
+    case Rotate::Quarter:
+      return "quarter";
+    case Rotate::None:
+      return "none";
+  }
+  return "";
+}
+
 /// "auto" as a value of the option texelDensity.
 constexpr double kAutoTexelDensity = 0;
 /// "auto" as a value of the option minUtilization.
@@ -63,6 +117,8 @@ struct UnwrapOptionValues {
   bool orient = false;
   /// whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches
   FillHoles fillHoles = FillHoles::Auto;
+  /// what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces do not; length = their length alone, as papers and patterns have it
+  SeamCosts seamCosts = SeamCosts::Sight;
   /// whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   /// boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)
@@ -77,10 +133,12 @@ struct UnwrapOptionValues {
   double texelDensity = 0;
   /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
   bool udim = false;
-  /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)
+  /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)
   double minUtilization = -1;
-  /// rotate charts to pack tighter; otherwise each lies level, in its smallest box
-  bool rotate = true;
+  /// which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis
+  Up up = Up::Auto;
+  /// how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
+  Rotate rotate = Rotate::Free;
   /// memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
   /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
@@ -93,6 +151,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"balance", "--balance", "0.2", "at least 0 and at most 1", "trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)", false, false},
     {"orient", "--orient", "false", "", "turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are", true, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches", false, true},
+    {"seamCosts", "--seam-costs", "sight", "sight, length", "what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces do not; length = their length alone, as papers and patterns have it", false, true},
     {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved", true, false},
@@ -100,12 +159,13 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
-    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = never cut; auto = cut where it gains at least 1.5 % texels per unit per new chart, and 4 % per seam as long as the square root of the surface area)", false, false},
-    {"rotate", "--no-rotate", "true", "", "do not rotate charts to pack tighter; otherwise each lies level, in its smallest box", true, false},
+    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
+    {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
+    {"rotate", "--rotate", "free", "free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 15};
+  return {kInfos, 17};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -130,46 +190,54 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.fillHoles = static_cast<FillHoles>(static_cast<int>(value));
       return true;
     case 4:
+      if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
+      options.seamCosts = static_cast<SeamCosts>(static_cast<int>(value));
+      return true;
+    case 5:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.symmetricSeams = static_cast<SymmetricSeams>(static_cast<int>(value));
       return true;
-    case 5:
+    case 6:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.t = static_cast<double>(value);
       return true;
-    case 6:
+    case 7:
       if (!(value == 0 || value == 1)) return false;
       options.straightSeams = value != 0;
       return true;
-    case 7:
+    case 8:
       if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
       options.resolution = static_cast<int>(value);
       return true;
-    case 8:
+    case 9:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
       return true;
-    case 9:
+    case 10:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.texelDensity = static_cast<double>(value);
       return true;
-    case 10:
+    case 11:
       if (!(value == 0 || value == 1)) return false;
       options.udim = value != 0;
       return true;
-    case 11:
+    case 12:
       if (!((value >= 0 && value <= 1) || (isWord && value == -1))) return false;
       options.minUtilization = static_cast<double>(value);
       return true;
-    case 12:
-      if (!(value == 0 || value == 1)) return false;
-      options.rotate = value != 0;
-      return true;
     case 13:
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      options.up = static_cast<Up>(static_cast<int>(value));
+      return true;
+    case 14:
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      options.rotate = static_cast<Rotate>(static_cast<int>(value));
+      return true;
+    case 15:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 14:
+    case 16:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -182,21 +250,29 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 3 && text == "auto") return found = true, 0;
   if (index == 3 && text == "never") return found = true, 1;
   if (index == 3 && text == "always") return found = true, 2;
-  if (index == 4 && text == "auto") return found = true, 0;
-  if (index == 4 && text == "never") return found = true, 1;
-  if (index == 4 && text == "always") return found = true, 2;
+  if (index == 4 && text == "sight") return found = true, 0;
+  if (index == 4 && text == "length") return found = true, 1;
   if (index == 5 && text == "auto") return found = true, 0;
-  if (index == 9 && text == "auto") return found = true, 0;
-  if (index == 11 && text == "auto") return found = true, -1;
+  if (index == 5 && text == "never") return found = true, 1;
+  if (index == 5 && text == "always") return found = true, 2;
+  if (index == 6 && text == "auto") return found = true, 0;
+  if (index == 10 && text == "auto") return found = true, 0;
+  if (index == 12 && text == "auto") return found = true, -1;
   if (index == 13 && text == "auto") return found = true, 0;
+  if (index == 13 && text == "y") return found = true, 1;
+  if (index == 13 && text == "z") return found = true, 2;
+  if (index == 14 && text == "free") return found = true, 0;
+  if (index == 14 && text == "quarter") return found = true, 1;
+  if (index == 14 && text == "none") return found = true, 2;
+  if (index == 15 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 13 && letter == 'M') return 1;
-  if (index == 13 && letter == 'G') return 1024;
-  if (index == 13 && letter == 'T') return 1048576;
+  if (index == 15 && letter == 'M') return 1;
+  if (index == 15 && letter == 'G') return 1024;
+  if (index == 15 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -207,6 +283,7 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   visit("balance", options.balance);
   visit("orient", options.orient);
   visit("fillHoles", nameOf(options.fillHoles));
+  visit("seamCosts", nameOf(options.seamCosts));
   visit("symmetricSeams", nameOf(options.symmetricSeams));
   if (options.t == 0)
     visit("t", "auto");
@@ -224,7 +301,8 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
     visit("minUtilization", "auto");
   else
     visit("minUtilization", options.minUtilization);
-  visit("rotate", options.rotate);
+  visit("up", nameOf(options.up));
+  visit("rotate", nameOf(options.rotate));
   if (options.memory == 0)
     visit("memory", "auto");
   else

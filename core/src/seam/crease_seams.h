@@ -1,0 +1,11 @@
+#pragma once
+
+#include "cut/cut_surface.h"
+
+namespace abflat {
+
+/// The creases of components that may be taken apart along them to begin with; empty if there are
+/// none. `whole`: the surface without seams.
+Seams creasesToBegin(const SeamMesh& mesh, const CutSurface& whole);
+
+}  // namespace abflat
