@@ -25,6 +25,12 @@ double texelOn(const WeldedMesh& welded, const Surface& surface, const UnwrapOpt
 
 }  // namespace
 
+double fineLength(const WeldedMesh& welded, const Surface& surface, const UnwrapOptions& options,
+                  double unit) {
+  constexpr double kFineTexels = 8;
+  return kFineTexels * texelOn(welded, surface, options, unit);
+}
+
 Smoothed withoutUnseen(const WeldedMesh& welded, const Surface& surface,
                        const UnwrapOptions& options, double unit, const Pulse& pulse) {
   const double reach = kUnseenTexels * texelOn(welded, surface, options, unit);

@@ -133,6 +133,8 @@ class Unwrapping {
                   const Pulse& pulse) {
     if (!pulse.isStopped()) welded_ = weld(mesh, byPosition, pulse, joined);
     if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
+    if (pulse.isStopped() || surface_.table.nonManifold.empty()) return;
+    surface_ = buildSurface(welded_.mesh, pulse, fineLength(welded_, surface_, options_, unit_));
   }
 
   Status cut() {
