@@ -12,6 +12,8 @@ namespace {
 constexpr int kRounds = 16;
 /// Of its area, a part must lose that much to count as noisy, and keep that much.
 constexpr double kLeastLost = 0.1, kLeastKept = 0.25;
+/// And that much must be left of its bends at most: what is thin loses area, too, but stays as bent.
+constexpr double kMostBent = 0.75;
 /// With fewer, its steps are its shape.
 constexpr std::size_t kLeastTriangles = 1000;
 
@@ -79,6 +81,58 @@ std::vector<double> pulled(const Pulls& pulls, const std::vector<double>& first,
   return out;
 }
 
+/// What smoothing does to a component.
+struct Change {
+  LongSum areaBefore, areaAfter;
+  LongSum bendBefore, bendAfter;  ///< of edges, times their length
+  std::size_t triangles = 0;
+
+  bool mayBeNoise() const {
+    const double kept = areaAfter.value() / areaBefore.value();
+    return triangles >= kLeastTriangles && kept > kLeastKept && kept < 1 - kLeastLost;
+  }
+  bool isNoise() const {
+    return mayBeNoise() && bendAfter.value() < kMostBent * bendBefore.value();
+  }
+};
+
+using Changes = IdVector<ComponentId, Change>;
+
+Changes areaChanges(const CornerTable& table, const Components& components,
+                    const std::vector<double>& before, const std::vector<double>& after) {
+  Changes out(components.firstTriangle.size());
+  for (const SurfaceTriangle f : table.triangles()) {
+    const TriangleVertices v = verticesOf(table.vertex, f);
+    Change& change = out[components.ofTriangle[f]];
+    change.areaBefore.add(areaOf(before, v));
+    change.areaAfter.add(areaOf(after, v));
+    ++change.triangles;
+  }
+  return out;
+}
+
+double bendAt(const CornerTable& table, const std::vector<double>& positions, SurfaceCorner h) {
+  const auto normal = [&](SurfaceCorner c) {
+    return unitNormal(positions, verticesOf(table.vertex, triangleOf(c)));
+  };
+  return angleBetween(normal(h), normal(table.twin[h])) *
+         norm(edgeVector(positions, table.vertex[h], table.vertex[nextCorner(h)]));
+}
+
+/// Only of components that may be noise.
+void addBends(const CornerTable& table, const Components& components,
+              const std::vector<double>& before, const std::vector<double>& after,
+              Changes& changes) {
+  IdVector<ComponentId, std::uint8_t> isAsked;
+  for (const Change& change : changes) isAsked.push_back(change.mayBeNoise());
+  for (const SurfaceCorner h : table.corners()) {
+    const ComponentId c = components.ofTriangle[triangleOf(h)];
+    if (!isAsked[c] || !table.twin[h].exists() || table.twin[h] < h) continue;
+    changes[c].bendBefore.add(bendAt(table, before, h));
+    changes[c].bendAfter.add(bendAt(table, after, h));
+  }
+}
+
 }  // namespace
 
 Smoothed smoothNoise(const PolygonMesh& mesh, const Surface& surface, double reach,
@@ -89,24 +143,11 @@ Smoothed smoothNoise(const PolygonMesh& mesh, const Surface& surface, double rea
   for (int k = 0; k < kRounds && pulse.beat(table.vertex.size()); ++k)
     out.positions = pulled(pulls, mesh.positions, out.positions, reach);
   const Components components = findComponents(table);
-  struct Area {
-    LongSum before, after;
-    std::size_t triangles = 0;
-  };
-  IdVector<ComponentId, Area> areas(components.firstTriangle.size());
-  for (const SurfaceTriangle f : table.triangles()) {
-    const TriangleVertices v = verticesOf(table.vertex, f);
-    Area& area = areas[components.ofTriangle[f]];
-    area.before.add(areaOf(mesh.positions, v));
-    area.after.add(areaOf(out.positions, v));
-    ++area.triangles;
-  }
+  Changes changes = areaChanges(table, components, mesh.positions, out.positions);
+  addBends(table, components, mesh.positions, out.positions, changes);
   std::vector<std::uint8_t> isNoisy(mesh.vertexCount(), 0);  // so are parts that end there
   for (const SurfaceTriangle f : table.triangles()) {
-    const Area& area = areas[components.ofTriangle[f]];
-    const double kept = area.after.value() / area.before.value();
-    const bool isLarge = area.triangles >= kLeastTriangles;
-    if (!(isLarge && kept > kLeastKept && kept < 1 - kLeastLost)) continue;
+    if (!changes[components.ofTriangle[f]].isNoise()) continue;
     ++out.triangles;
     for (const std::uint32_t v : verticesOf(table.vertex, f)) isNoisy[v] = 1;
   }

@@ -16,8 +16,9 @@ struct Smoothed {
 };
 
 /// Moves vertices towards the middle of their neighbours, by no more than `reach`. Only parts that
-/// thereby lose much of their area are changed: those of steps and grain, not those that are smooth
-/// or have creases, those of few triangles, and those that would hardly be left.
+/// thereby lose much of their area and of their bends are changed: those of steps and grain, not
+/// those that are smooth, thin or have creases, those of few triangles, and those that would hardly
+/// be left.
 Smoothed smoothNoise(const PolygonMesh& mesh, const Surface& surface, double reach,
                      const Pulse& pulse = {});
 

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "base/long_sum.h"
+#include "base/parallel.h"
+#include "check/distortion.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -42,7 +44,28 @@ std::string unseenNote(const Smoothed& smoothed) {
   return "steps and grain of less than " + std::to_string(static_cast<int>(kUnseenTexels)) +
          " texels in " + std::to_string(smoothed.triangles) +
          (smoothed.triangles == 1 ? " triangle" : " triangles") +
-         " are taken for smooth, by seams, flattening and the stretch reported here";
+         " are taken for smooth by seams, flattening and the bound on stretch";
+}
+
+void measureUnseen(const ChartSet& set, const std::vector<double>& smoothed,
+                   const std::vector<double>& positions, ThreadPool& pool, FlatCharts& flat) {
+  const auto isMoved = [&](ChartId i) {
+    for (const InputVertex v : set.topology(i).inputVertex)
+      for (std::size_t d = 0; d < 3; ++d)
+        if (smoothed[3 * std::size_t{v} + d] != positions[3 * std::size_t{v} + d]) return true;
+    return false;
+  };
+  parallelFor(&pool, set.size(), [&](std::size_t k) {
+    const ChartId i(k);
+    if (!isMoved(i)) return;
+    const DiskChart chart = set.chart(i);
+    const double area = areaOf(chart);
+    std::vector<double> uv = flat[i].unpacked;
+    if (flat[i].area > 0)
+      for (double& x : uv) x *= std::sqrt(area / flat[i].area);
+    flat[i].area = area;
+    flat[i].distortion = ChartDistortion(measureDistortion(chart, inChartUnit(chart, uv)));
+  });
 }
 
 }  // namespace abflat

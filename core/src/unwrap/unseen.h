@@ -1,10 +1,13 @@
 #pragma once
 
 #include "abflat/unwrap.h"
+#include "base/parallel.h"
 #include "base/pulse.h"
+#include "chart/chart_set.h"
 #include "mesh/smooth_noise.h"
 #include "mesh/surface.h"
 #include "mesh/welded_mesh.h"
+#include "unwrap/chart.h"
 
 namespace abflat {
 
@@ -21,5 +24,10 @@ Smoothed withoutUnseen(const WeldedMesh& welded, const Surface& surface,
 
 /// Empty if nothing is smoothed.
 std::string unseenNote(const Smoothed& smoothed);
+
+/// Measures charts on the true surface: the `positions` that the mesh of the set has again, drawn
+/// after the `smoothed` ones.
+void measureUnseen(const ChartSet& set, const std::vector<double>& smoothed,
+                   const std::vector<double>& positions, ThreadPool& pool, FlatCharts& flat);
 
 }  // namespace abflat

@@ -159,7 +159,7 @@ class Unwrapping {
     return {};
   }
 
-  /// Until the layout is checked.
+  /// Until the layout is measured.
   void hideUnseen() {
     Smoothed smoothed = withoutUnseen(welded_, surface_, options_, unit_, pulse_);
     if (std::string note = unseenNote(smoothed); !note.empty())
@@ -167,6 +167,14 @@ class Unwrapping {
     if (smoothed.triangles == 0) return;
     truePositions_ = std::move(welded_.mesh.positions);
     welded_.mesh.positions = std::move(smoothed.positions);
+  }
+
+  /// Whatever is reported from here on is told of the true surface.
+  void showUnseen() {
+    if (truePositions_.empty()) return;
+    std::swap(welded_.mesh.positions, truePositions_);
+    measureUnseen(charts_.set, truePositions_, welded_.mesh.positions, *pool_, charts_.flat);
+    truePositions_ = std::vector<double>();
   }
 
   /// Flattens all charts, and cuts those further that are stretched more than predicted.
@@ -421,6 +429,7 @@ class Unwrapping {
   Status finish() {
     packing_ = Packing();
     noteStretched(cutMesh(), charts_.flat, options_, report_.notes);
+    showUnseen();
     measureStraight(charts_.set, charts_.flat);
     fillTexcoords(texcoords_, unit_, charts_.flat, out_);
     giveBackFreeMemory();
@@ -431,7 +440,6 @@ class Unwrapping {
     charts_.set = ChartSet();
     surface_ = Surface();
     texcoords_ = Texcoords();
-    if (!truePositions_.empty()) welded_.mesh.positions = std::move(truePositions_);
     certify(input_, welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
     if (options_.roundsForGltf) return {};
     if (std::string note = foldedFansNote(input_, out_); !note.empty())
