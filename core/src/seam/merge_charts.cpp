@@ -165,7 +165,8 @@ class Merger {
   bool isPromising(const CutSurface& s, const ChartOutlines& outlines, const SharedRun& run) const {
     const OutlinePairs pairs = pairsOf(s, outlines, run);
     const Outline &a = outlines[run.a], &b = outlines[run.b];
-    if (!isHinge_) return roomTogether(a, b, pairs) <= kMostRoom;
+    if (!isHinge_ && roomTogether(a, b, pairs) <= kMostRoom) return true;
+    if (!isHinge_ && longestExtent(a) + longestExtent(b) > options_.speck) return false;
     // Joining along a part of a seam changes so little that the union is as good as known.
     const Outline both = outlineTogether(a, b, pairs);
     if (both.empty()) return false;
@@ -263,7 +264,7 @@ class Merger {
   const SeamMesh& meshOf(const Trial& trial) const { return trial.part ? trial.part->mesh : mesh_; }
 
   /// Whether joining charts along a run is worth what it stretches them.
-  bool isWorth(const Trial& trial, SurfaceCorner h, const SharedRun& run) const {
+  bool isWorth(const Trial& trial, SurfaceCorner h, const SharedRun& run, bool isSpeck) const {
     const SeamPrices& prices = options_.prices;
     const CutChartId whole = trial.joined.chartOf(h);
     const double all = trial.joined.charts[whole].area;
@@ -272,7 +273,7 @@ class Merger {
     };
     // A short piece of a crease is no reason to leave two charts hanging together.
     constexpr double kHardlyHidden = 0.5;
-    if (isHinge_ && run.cost < kHardlyHidden * run.length) return false;
+    if (isHinge_ && !isSpeck && run.cost < kHardlyHidden * run.length) return false;
     double more = costOf(trial.joined, trial.prediction, whole);
     for (const SurfaceCorner side : {h, meshOf(trial).twin[h]})
       more -= costOf(trial.apart, trial.before, trial.apart.chartOf(side));
@@ -290,15 +291,17 @@ class Merger {
     if (!s.charts[chart].isDisk() ||
         trial.prediction.stretch[chart] > 1 + ofBound * (options_.maxStretch - 1))
       return false;
-    if (!isWorth(trial, h, run)) return false;
     const auto outline = [&](const CutSurface& surface, CutChartId c) {
       return predictOutline(meshOf(trial), surface, c, trial.u);
     };
     const Outline whole = outline(s, chart);
     const Shape shape = measureShape(whole);
+    const bool isSpeck = shape.extent <= options_.speck;
+    if (!isWorth(trial, h, run, isSpeck)) return false;
     if (!shape.crossings.empty() || shape.overlap > options_.mostOverlap ||
-        shape.fill < (isHinge_ ? kLeastFill : options_.leastFill))
+        shape.fill < (isHinge_ || isSpeck ? kLeastFill : options_.leastFill))
       return false;
+    if (isSpeck) return true;
     double room = 0;
     for (const SurfaceCorner side : {h, meshOf(trial).twin[h]})
       room += hullArea(outline(trial.apart, trial.apart.chartOf(side)));
