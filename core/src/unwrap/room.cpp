@@ -39,9 +39,14 @@ RoomWish wishOf(const UnwrapOptionValues& options) {
   return {kBarely, std::min(kMore * options.minUtilization, kMostAsked), HUGE_VAL};
 }
 
-/// The charts that are not specks, which find a place between the others.
-IdVector<ChartId, std::uint8_t> largeCharts(const FlatCharts& flat) {
+/// Of more charts than that, only long ones are cut.
+constexpr std::size_t kMostToCut = 64;
+
+/// The charts that may be cut: where there are too many for that, those that are not specks, which
+/// find a place between the others. `cuts`: how many of the charts come from cuts.
+IdVector<ChartId, std::uint8_t> largeCharts(const FlatCharts& flat, std::size_t cuts) {
   constexpr double kLeastShare = 1e-3;
+  if (flat.size() <= kMostToCut + cuts) return IdVector<ChartId, std::uint8_t>(flat.size(), 1);
   LongSum area;
   for (const FlatChart& chart : flat) area.add(chart.area);
   IdVector<ChartId, std::uint8_t> out;
@@ -216,13 +221,13 @@ class RoomSearch {
 }  // namespace
 
 RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts) {
-  constexpr std::size_t kMostToCut = 64, kMostToCutLong = 512;
+  constexpr std::size_t kMostToCutLong = 512;
   const auto isFixed = [](const FlatChart& c) { return c.isFixed; };
   if (options.minUtilization == 0 || options.texelDensity != kAutoTexelDensity ||
       !options.seams.isAuto || options.t != kAutoT ||
       std::any_of(flat.begin(), flat.end(), isFixed))
     return RoomMode::None;
-  const std::size_t large = countOf(largeCharts(flat)), count = large > cuts ? large - cuts : 0;
+  const std::size_t large = countOf(largeCharts(flat, cuts)), count = large > cuts ? large - cuts : 0;
   if (large == 0 || count > kMostToCutLong) return RoomMode::None;
   const bool isAny = !options.straightSeams && count <= kMostToCut;
   return isAny ? RoomMode::All : RoomMode::Long;
@@ -240,7 +245,7 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   const auto gainTo = [&](double share) { return portable::log(share / utilization) / 2; };
   const double wanted = gainTo(wish.utilization);
   if (!(wanted > kLeast)) return out;
-  const SeamPart part = partToCut(packed.charts, open, largeCharts(packed.charts.flat));
+  const SeamPart part = partToCut(packed.charts, open, largeCharts(packed.charts.flat, 0));
   const FlatSurface surface = flatSurface(packed, open, part);
   const auto fittingOn = [&](int cells) {
     const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
