@@ -86,6 +86,17 @@ TEST_CASE("what is smooth or has creases stays exactly as it is") {
   }
 }
 
+TEST_CASE("what is thin stays exactly as it is, although it loses area") {
+  PolygonMesh mesh = torus(80, 24);
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) mesh.positions[3 * v + 2] *= 0.02;
+  const Surface surface = buildSurface(mesh);
+  for (const double reach : {0.02, 0.05, 0.1}) {
+    const Smoothed out = smoothNoise(mesh, surface, reach);
+    CHECK(out.triangles == 0);
+    CHECK(out.positions == mesh.positions);
+  }
+}
+
 TEST_CASE("a part that is small, would hardly be left or lies beside a noisy one stays") {
   CHECK(smoothed(stairs(10), 1).triangles == 0);
   CHECK(smoothed(torus(300, 3), 10).triangles == 0);

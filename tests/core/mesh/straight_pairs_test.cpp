@@ -115,3 +115,75 @@ TEST_CASE("which faces are joined does not depend on their numbers") {
     CHECK(found.components == wanted.components);
   }
 }
+
+namespace {
+
+constexpr std::uint32_t kLong = 14, kWide = 5;
+
+/// A surface folded at a right angle along a line, and a band that goes straight on from its first
+/// half. The faces of each of the three follow each other.
+PolygonMesh foldWithFin() {
+  std::vector<double> positions;
+  const std::uint32_t row = 2 * kWide + 2;
+  for (std::uint32_t y = 0; y <= kLong; ++y) {
+    for (std::uint32_t i = 0; i <= 2 * kWide; ++i) {
+      const double x = double(i) - kWide;
+      positions.insert(positions.end(), {std::min(x, 0.), double(y), -std::max(x, 0.)});
+    }
+    positions.insert(positions.end(), {1, double(y), 0});
+  }
+  std::vector<std::uint32_t> triangles;
+  const auto band = [&](std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t y = 0; y < kLong; ++y) {
+      const std::uint32_t a = y * row + from, b = y * row + to;
+      triangles.insert(triangles.end(), {a, b, b + row, a, b + row, a + row});
+    }
+  };
+  for (std::uint32_t i = 0; i < 2 * kWide; ++i) band(i, i + 1);
+  band(kWide, 2 * kWide + 1);
+  return makeTriangleMesh(positions, triangles);
+}
+
+/// How many of the edges in the middle of the line join the halves of the fold, and how many the
+/// first half and the band.
+struct Across {
+  int fold = 0, fin = 0;
+};
+Across across(const PolygonMesh& mesh, double fine) {
+  const Surface s = buildSurface(mesh, {}, fine);
+  REQUIRE(s.table.nonManifold.size() == kLong);
+  const auto placeOf = [&](SurfaceCorner h) {
+    const SurfaceTriangle f = triangleOf(h);
+    double x = 0, z = 0;
+    for (const std::uint32_t v : verticesOf(s.table.vertex, f)) {
+      x += mesh.positions[3 * std::size_t{v}];
+      z += mesh.positions[3 * std::size_t{v} + 2];
+    }
+    return x < 0 ? 0 : z < 0 ? 1 : 2;
+  };
+  Across out;
+  for (const SurfaceCorner h : s.table.nonManifoldCorners) {
+    const double y = mesh.positions[3 * std::size_t{s.table.vertex[h]} + 1];
+    if (placeOf(h) != 0 || y < 5 || y > kLong - 5 || !s.table.twin[h].exists()) continue;
+    ++(placeOf(s.table.twin[h]) == 1 ? out.fold : out.fin);
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("at fine edges a surface goes on around a step, and what ends there is cut off") {
+  const PolygonMesh mesh = foldWithFin();
+  const Across coarse = across(mesh, 0.5), fine = across(mesh, 2);
+  CHECK(coarse.fold == 0);
+  CHECK(coarse.fin >= 4);
+  CHECK(fine.fold == coarse.fin);
+  CHECK(fine.fin == 0);
+}
+
+TEST_CASE("where all surfaces end soon, fine edges are like others") {
+  for (const PolygonMesh& mesh : {strips({0}, {180, 90}), strips({0, 90}, {180, 270})}) {
+    const Surface coarse = buildSurface(mesh), fine = buildSurface(mesh, {}, 10);
+    CHECK(fine.table.twin == coarse.table.twin);
+  }
+}
