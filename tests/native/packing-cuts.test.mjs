@@ -19,7 +19,8 @@ const SHAPES = {
   'flat ring': [() => new three.RingGeometry(0.9, 1, 96, 2), 0.4, 0.4],
   dodecahedron: [() => new three.DodecahedronGeometry(1), 0.56, 0.56],
   cone: [() => new three.ConeGeometry(1, 2, 32, 8), 0.5, 0.5],
-  cylinder: [() => new three.CylinderGeometry(1, 1, 2, 32, 8), 0.5, 0.55],
+  // Its side lies level, so what is as long as the tile is wide leaves room above.
+  cylinder: [() => new three.CylinderGeometry(1, 1, 2, 32, 8), 0.46, 0.55],
   plane: [() => new three.PlaneGeometry(1, 1, 8, 8), 0.95, 0.95],
 };
 

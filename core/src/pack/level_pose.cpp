@@ -134,6 +134,7 @@ bool isBetter(const Candidate& a, const Candidate& b) {
 }  // namespace
 
 LevelPose levelPose(const Loops& loops, const std::vector<PlanePoint>& hull, PlanePoint up) {
+  constexpr double kMost = 0.5;
   constexpr double kUpWorth = 0.5;  // of standing upright, where the worth of level edges is 1
   LevelPose out;
   const double slope = std::sqrt(up.x * up.x + up.y * up.y);
@@ -142,7 +143,7 @@ LevelPose levelPose(const Loops& loops, const std::vector<PlanePoint>& hull, Pla
   const std::vector<Bearing> bearings = bearingsOf(loops);
   std::vector<Bearing> directions = straightBearings(bearings);
   if (hull.size() < 2 || (directions.empty() && !out.isUpright))
-    return {leastBoxPose(hull), false, false};
+    return {leastBoxPose(hull), false, false, false};
   if (out.isUpright) {
     const double direction = wrapped(portable::atan2(up.y, up.x));
     directions.push_back({direction, shareAlong(bearings, direction)});
@@ -164,6 +165,7 @@ LevelPose levelPose(const Loops& loops, const std::vector<PlanePoint>& hull, Pla
       if (best && !isBetter(now, *best)) continue;
       best = now;
       out.isLevel = direction.share > 0;
+      out.isStraight = direction.share >= kMost - kAlikeBearing;
     }
   }
   out.pose = best->pose;

@@ -8,6 +8,7 @@ namespace abflat {
 struct LevelPose {
   Pose pose;
   bool isLevel = false;    ///< straight edges of its outline lie along u and v
+  bool isStraight = false; ///< so does most of its outline
   bool isUpright = false;  ///< its up direction decided
 };
 

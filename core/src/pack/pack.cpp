@@ -166,6 +166,7 @@ class Packer {
       item.isUpright = level.isUpright;
       item.poses = Poses(isFree ? leastBoxPose(hull) : level.pose, poses, hull);
       if (isFree) item.poses.addFirst(level.pose, hull);
+      if (options_.rotate == Rotate::Auto && level.isStraight) item.poses.hold();
     });
   }
 

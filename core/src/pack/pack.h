@@ -28,7 +28,7 @@ struct PackOptions {
   int resolution = 1024;  ///< texels along a side of the square tile
   /// Free texels between charts; half of that, rounded up, to the border.
   int padding = 2;
-  Rotate rotate = Rotate::Free;  ///< beyond the pose in which a chart lies level and upright
+  Rotate rotate = Rotate::Auto;  ///< beyond the pose in which a chart lies level and upright
   double texelDensity = 0;       ///< texels per unit of the mesh; 0: the most that fits one tile
   double mostDensity = 0;        ///< limits it if `texelDensity` is 0; 0: no limit
   bool fixedMayLeave = false;    ///< fixed shapes may be outside of tiles

@@ -144,7 +144,7 @@ class Placer {
     double lowest = 2.0 * tile.height();
     bool isFound = false;
     for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t p = isPosed() ? strategy_.poses[i] : strategy_.turns[k];
+      const std::size_t p = isPosed() ? strategy_.poses[i] : item.poses.kept(strategy_.turns[k]);
       const Pose pose = item.poses[p];
       const double width = cellsOf(grid_, pose.width * scale);
       const double height = cellsOf(grid_, pose.height * scale);
@@ -266,6 +266,7 @@ double longestSide(const std::vector<PackItem>& items) {
 double untidiness(const PackItem& item, std::size_t pose) {
   constexpr double kUpsideDown = 0.5;
   const std::size_t quarter = item.poses.perQuarter();
+  pose = item.poses.kept(pose);
   if (pose % quarter != 0) return item.isLevel || item.isUpright ? 1 : 0;
   if (pose == 0 || !item.isUpright) return 0;
   return pose == 2 * quarter ? kUpsideDown : 1;

@@ -87,7 +87,7 @@ void Poses::addFirst(const Pose& pose, const std::vector<PlanePoint>& hull) {
 }
 
 Pose Poses::operator[](std::size_t i) const {
-  Pose out = first_[i % first_.size()];
+  Pose out = first_[kept(i) % first_.size()];
   for (std::size_t k = first_.size(); k <= i; k += first_.size()) out = quarterTurned(out);
   return out;
 }

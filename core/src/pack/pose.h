@@ -29,6 +29,11 @@ class Poses {
   /// Adds the quarter turns of a pose; in each quarter it comes first.
   void addFirst(const Pose& pose, const std::vector<PlanePoint>& hull);
 
+  /// Keeps only the first pose of each quarter; the others stand for it.
+  void hold() { isHeld_ = true; }
+  /// The pose that this one stands for.
+  std::size_t kept(std::size_t i) const { return isHeld_ ? i - i % first_.size() : i; }
+
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
   /// Number of poses in a quarter of a turn, of which only the first one may be the added one.
@@ -41,7 +46,7 @@ class Poses {
  private:
   std::vector<Pose> first_;
   std::uint32_t count_ = 0;
-  bool hasAdded_ = false;
+  bool hasAdded_ = false, isHeld_ = false;
 };
 
 /// The rotation with the smallest box area; the box is wider than high, and the heavier part at its

@@ -16,10 +16,7 @@ constexpr double kAnyArea = std::numeric_limits<double>::infinity();
 }  // namespace
 
 QuickFit::QuickFit(int resolution, int padding, Rotate rotate, int cells)
-    : poses_(rotate == Rotate::Free      ? 8
-             : rotate == Rotate::Quarter ? 4
-                                         : 1),
-      mayLieAskew_(rotate == Rotate::Free) {
+    : poses_(rotate == Rotate::None ? 1 : rotate == Rotate::Quarter ? 4 : 8), rotate_(rotate) {
   grid_ = makePackGrid(resolution, padding, 1);
   grid_.cell = std::max(std::min(resolution / cells, resolution - 2 * grid_.border), 1);
 }
@@ -31,8 +28,12 @@ PackItem QuickFit::itemOf(const std::vector<PlanePoint>& outline) const {
   out.loops.ends = {static_cast<std::uint32_t>(outline.size())};
   out.loops.isGroup = {1};
   const std::vector<PlanePoint> hull = convexHull(outline);
-  const Pose pose = mayLieAskew_ ? leastBoxPose(hull) : levelPose(out.loops, hull, {}).pose;
-  out.poses = Poses(pose, static_cast<int>(poses_), hull);
+  LevelPose level;
+  if (rotate_ != Rotate::Free) level = levelPose(out.loops, hull, {});
+  const bool isHeld = rotate_ == Rotate::Auto && level.isStraight;
+  const bool isAskew = poses_ > 4 && !isHeld;
+  out.poses = Poses(isAskew ? leastBoxPose(hull) : level.pose, static_cast<int>(poses_), hull);
+  if (isHeld) out.poses.hold();
   out.mass = massOf(outline);
   return out;
 }

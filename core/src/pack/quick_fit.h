@@ -41,7 +41,7 @@ class QuickFit {
 
   PackGrid grid_;
   std::size_t poses_;
-  bool mayLieAskew_;
+  Rotate rotate_;
   std::vector<PackItem> items_;
   PlaceSpace space_;
   PlaceStart held_;

@@ -61,7 +61,8 @@ class Refiner {
         rest_(restTriangles(chart, uv)),
         uv_(std::move(uv)),
         system_(chart, rest_, options.pool),
-        shape_(chart, options.outline) {
+        shape_(chart, options.outline),
+        springs_(options.level) {
     out_.memory.allowed = options.allowedBytes;
     findHeld();
     matrix_ = std::make_unique<ExtendedMatrix>(system_.matrix(), freeOf(shape_.entries()));
@@ -82,7 +83,9 @@ class Refiner {
     isSimple_ = isSimple(uv_);
     if (std::isfinite(energy_)) iterate();
     out_.energy = layoutEnergy(chart_, rest_, options_.balance, uv_, options_.pool);
-    if (!(out_.energy < out_.energyBefore)) {
+    const bool isBetter = springs_.isEmpty() ? out_.energy < out_.energyBefore
+                                             : energy_ < out_.energyBefore;
+    if (!isBetter) {
       out_.energy = out_.energyBefore;
       uv_ = start;
     }
@@ -113,7 +116,7 @@ class Refiner {
   double energyOf(const std::vector<double>& uv) const {
     const double own = layoutEnergy(chart_, rest_, options_.balance, uv, options_.pool);
     if (!std::isfinite(own)) return own;
-    return own + shape_.energy(uv) + (barrier_ ? barrier_->energy(uv) : 0);
+    return own + shape_.energy(uv) + springs_.energy(uv) + (barrier_ ? barrier_->energy(uv) : 0);
   }
 
   bool isSimple(const std::vector<double>& uv) const {
@@ -124,7 +127,7 @@ class Refiner {
     const ElementCurvature curvature = isFar_ ? ElementCurvature::Far : ElementCurvature::Near;
     system_.assemble({uv_, options_.balance, curvature}, isFixed_);
     gradient_ = system_.gradient();
-    if (foreseen_) addContacts();
+    if (foreseen_ || !springs_.isEmpty()) addContacts();
     if (!far_.exists()) return;
     const Point2 far = pointAt(uv_, far_), held = pointAt(uv_, held_);
     const double x = far[0] - held[0], y = far[1] - held[1], length = norm(x, y);
@@ -136,6 +139,7 @@ class Refiner {
   void addContacts() {
     contacts_.clear();
     shape_.addDerivatives(uv_, gradient_, contacts_);
+    springs_.addDerivatives(uv_, gradient_, contacts_);
     if (barrier_) barrier_->addDerivatives(uv_, gradient_, contacts_);
     for (int row = 0; row < gradient_.size(); ++row)
       if (isFixedRow(row)) gradient_[row] = 0;
@@ -203,7 +207,7 @@ class Refiner {
     if (matrix_->add(freeOf(std::move(contacts)))) makeSolver(matrix_->sum());
     solver_->forget();  // iterating with an old factor would cost more than a new one
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
-    const double share = foreseen_ ? kLinearToleranceHeld : kLinearTolerance;
+    const double share = foreseen_ || !springs_.isEmpty() ? kLinearToleranceHeld : kLinearTolerance;
     const double tolerance = share * b.lpNorm<Eigen::Infinity>();
     if (!solver_->solve(matrix_->sum(), b, tolerance, x) || !x.allFinite()) return false;
     direction_.assign(x.data(), x.data() + x.size());
@@ -280,6 +284,7 @@ class Refiner {
   std::vector<double> uv_, direction_;
   RefineSystem system_;
   OutlineShape shape_;
+  LevelSprings springs_;
   std::unique_ptr<BoundaryBarrier> barrier_;  ///< exists once the boundary would cross itself
   std::unique_ptr<ForeseenContacts> foreseen_;
   Eigen::VectorXd gradient_;

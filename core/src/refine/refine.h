@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "chart/disk_chart.h"
+#include "refine/level_springs.h"
 #include "refine/outline_shape.h"
 #include "solve/factor_memory.h"
 
@@ -17,6 +18,7 @@ struct RefineOptions {
   /// Which vertices stay where they are; empty: none.
   IdVector<ChartVertex, std::uint8_t> isFixed;
   OutlineRules outline;  ///< the layout has to conform to it from the start
+  LevelEdges level;      ///< pulled along an axis; their energy counts while steps are taken
   int maxSteps = 100;
   int maxSolves = std::numeric_limits<int>::max();  ///< linear systems, over all steps
   /// The iteration ends once further steps would gain less than this share of the energy above 1

@@ -55,7 +55,10 @@ IdVector<CutChartId, Component> measure(const SeamMesh& mesh, const CutSurface& 
     component.curvature += curvature;
     if (!isOnCrease[i]) component.elsewhere += curvature;
   }
-  for (const CutSurface::Chart& patch : cutAlong(mesh, creases).charts)
+  Seams all = creases;
+  for (const SurfaceCorner h : all.ids())
+    all[h] = all[h] || (mesh.twin[h].exists() && !whole.twin[h].exists());
+  for (const CutSurface::Chart& patch : cutAlong(mesh, all).charts)
     ++out[whole.chartOfTriangle[patch.firstTriangle]].patches;
   return out;
 }
@@ -68,7 +71,7 @@ Seams creasesToBegin(const SeamMesh& mesh, const CutSurface& whole) {
   bool isAny = false;
   for (const SurfaceCorner h : out.ids()) {
     const CutChartId c = whole.chartOf(h);
-    out[h] = out[h] && components[c].isWorthIt(whole.charts[c]);
+    out[h] = out[h] && whole.twin[h].exists() && components[c].isWorthIt(whole.charts[c]);
     isAny = isAny || out[h];
   }
   return isAny ? out : Seams();

@@ -5,7 +5,7 @@
 namespace abflat {
 
 /// The creases of components that may be taken apart along them to begin with; empty if there are
-/// none. `whole`: the surface without seams.
+/// none. `whole`: the surface with given seams only.
 Seams creasesToBegin(const SeamMesh& mesh, const CutSurface& whole);
 
 }  // namespace abflat

@@ -67,9 +67,7 @@ class SymmetricFinder {
   static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
 
   double wholeCost(const Seams& seams, const SeamReport& report) const {
-    const IdVector<SurfaceTriangle, CutChartId> one(mesh_.triangleCount(), CutChartId(0));
-    return costOfParts(mesh_, seams, report.scale, options_.maxStretch, one, 1, options_.prices)
-        .front();
+    return costOfWhole(mesh_, seams, report.scale, options_.maxStretch, options_.prices);
   }
 
   bool isTooMuch(double now, double most) const {
@@ -91,10 +89,10 @@ class SymmetricFinder {
 /// and takes those that cost less.
 class CreaseFinder {
  public:
-  CreaseFinder(const SeamMesh& mesh, const SeamOptions& options)
+  CreaseFinder(const SeamMesh& mesh, const Seams& given, const SeamOptions& options)
       : mesh_(mesh),
         options_(options),
-        whole_(cutAlong(mesh, Seams(mesh.twin.size(), 0))),
+        whole_(cutAlong(mesh, given)),
         creases_(creasesToBegin(mesh, whole_)) {}
 
   /// `seams`, which `report` describes, were found starting with whole components.
@@ -127,15 +125,18 @@ class CreaseFinder {
                    SeamReport& report) const {
     Seams other = seams;
     LogScales scale = report.scale;
-    for (const SurfaceCorner i : found.ids()) other[part.wholeHalfEdge[i]] = found[i];
+    for (const SurfaceCorner i : found.ids())
+      if (part.mesh.twin[i].exists()) other[part.wholeHalfEdge[i]] = found[i];
     for (const SurfaceVertex i : own.scale.ids()) scale[part.wholeVertex[i]] = own.scale[i];
     const IdVector<CutChartId, double> before = costs(seams, report.scale),
                                        after = costs(other, scale);
     for (const SurfaceCorner i : found.ids()) {
       const SurfaceCorner h = part.wholeHalfEdge[i];
       if (!(after[whole_.chartOf(h)] < before[whole_.chartOf(h)])) continue;
-      seams[h] = found[i];
-      report.found[h] = own.found[i];
+      if (part.mesh.twin[i].exists()) {
+        seams[h] = found[i];
+        report.found[h] = own.found[i];
+      }
       report.scale[mesh_.tail(h)] = own.scale[part.mesh.tail(i)];
       report.foundScale[mesh_.tail(h)] = own.foundScale[part.mesh.tail(i)];
     }
@@ -148,18 +149,19 @@ class CreaseFinder {
 
   const SeamMesh& mesh_;
   const SeamOptions& options_;
-  const CutSurface whole_;  ///< its charts are the components
+  const CutSurface whole_;  ///< its charts are the components, cut along given seams
   const Seams creases_;
 };
 
 /// With seams marked on both sides.
 Seams findInOrder(const SeamMesh& mesh, Seams seams, const SeamOptions& options,
                   SeamReport& report) {
-  const bool isFree = options.isAuto && options.first.empty() &&
-                      std::find(seams.begin(), seams.end(), 1) == seams.end();
+  const bool isNew = options.isAuto && options.first.empty();
+  const bool isFree = isNew && std::find(seams.begin(), seams.end(), 1) == seams.end();
+  const Seams given = isNew ? seams : Seams();
   if (mesh.triangleCount() > 0) seams = findInRounds(mesh, std::move(seams), options, report);
   if (!isFree) report.asymmetry = Asymmetry::SeamsGiven;
-  if (isFree && !report.cancelled) CreaseFinder(mesh, options).run(seams, report);
+  if (isNew && !report.cancelled) CreaseFinder(mesh, given, options).run(seams, report);
   if (isFree && !report.cancelled) SymmetricFinder(mesh, options).run(seams, report);
   report.seamLength = lengthOf(mesh, seams);
   const double size = std::sqrt(mesh.totalArea());

@@ -242,11 +242,16 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   OpenSurface other = openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool,
                                keepsOn, report, &open);
   if (report.cancelled) found.cancelled = true;
-  const SeamPrices prices = seamOptions(options, open, pool, keepsOn).prices;
-  const auto costOf = [&](const OpenSurface& x, const SeamReport& told) {
-    return seamCost(x) + prices.chart * told.charts + prices.ofStretch(told.stretch);
+  const SeamOptions how = seamOptions(options, open, pool, keepsOn);
+  const auto costOf = [&](const OpenSurface& x) {
+    return costOfWhole(x.mesh, x.seams, x.scale, how.maxStretch, how.prices);
   };
-  if (report.cancelled || !(costOf(other, report) < costOf(open, found))) return;
+  // On the surface that is open there, the borders no longer know what they cost.
+  double ofBorders = 0;
+  for (const SurfaceCorner h : borders.ids())
+    if (borders[h] && !other.mesh.twin[h].exists()) ofBorders += open.mesh.cost[h] / 2;
+  ofBorders /= std::sqrt(open.mesh.totalArea());
+  if (report.cancelled || !(costOf(other) + ofBorders < costOf(open))) return;
   open = std::move(other);
   found = std::move(report);
 }

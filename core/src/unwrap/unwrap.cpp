@@ -29,6 +29,7 @@
 #include "unwrap/output.h"
 #include "unwrap/pieces.h"
 #include "unwrap/pinned.h"
+#include "unwrap/rectify.h"
 #include "unwrap/room.h"
 #include "unwrap/room_note.h"
 #include "unwrap/seams.h"
@@ -188,7 +189,9 @@ class Unwrapping {
     constexpr int kMostRounds = 8;
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve, tell); !s.ok()) return s;
     if (Status s = endSearch(tell); !s.ok()) return s;
-    return halveRuined(report_.timings.solve, tell);
+    if (Status s = halveRuined(report_.timings.solve, tell); !s.ok()) return s;
+    rectifyAll(options_, *pool_, [&] { return tell(1); }, charts_);
+    return {};
   }
 
   /// Tries more on charts for which no seam was found.

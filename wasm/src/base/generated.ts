@@ -103,9 +103,11 @@ export type SeamCosts = 'sight' | 'length';
 
 export type SymmetricSeams = 'auto' | 'never' | 'always';
 
+export type Rectify = 'auto' | 'never' | 'always';
+
 export type Up = 'auto' | 'y' | 'z';
 
-export type Rotate = 'free' | 'quarter' | 'none';
+export type Rotate = 'auto' | 'free' | 'quarter' | 'none';
 
 /** The options of unwrapping that are plain values, with their defaults. */
 export interface UnwrapOptionValues {
@@ -117,6 +119,7 @@ export interface UnwrapOptionValues {
   symmetricSeams: SymmetricSeams;
   t: number | 'auto';
   straightSeams: boolean;
+  rectify: Rectify;
   resolution: number;
   padding: number;
   texelDensity: number | 'auto';
@@ -137,13 +140,14 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   symmetricSeams: 'auto',
   t: 'auto',
   straightSeams: false,
+  rectify: 'auto',
   resolution: 1024,
   padding: 2,
   texelDensity: 'auto',
   udim: false,
   minUtilization: 'auto',
   up: 'auto',
-  rotate: 'free',
+  rotate: 'auto',
   memory: 'auto',
   threads: 0,
 };
@@ -158,13 +162,14 @@ export const UNWRAP_OPTIONS = {
   symmetricSeams: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer', range: 'auto, never, always' },
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved', range: '' },
+  rectify: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that stays within the bound of stretch; never = leave outlines as they come out; always = whatever that stretches', range: 'auto, never, always' },
   resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels', range: 'at least 16 and at most 32768, whole' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts, and between far parts of one chart', range: 'at least 0 and at most 256, whole' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
   minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)', range: 'at least 0 and at most 1, or auto' },
   up: { type: 'choice', default: 'auto', choices: ['auto', 'y', 'z'], text: 'which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis', range: 'auto, y, z' },
-  rotate: { type: 'choice', default: 'free', choices: ['free', 'quarter', 'none'], text: 'how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all', range: 'free, quarter, none' },
+  rotate: { type: 'choice', default: 'auto', choices: ['auto', 'free', 'quarter', 'none'], text: 'how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all', range: 'auto, free, quarter, none' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for the factor of the solver\'s matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
 } as const;

@@ -271,6 +271,7 @@ export const OPTION_LABELS = {
   texelDensity: 'Texel density',
   up: 'Up axis',
   rotate: 'Rotation',
+  rectify: 'Rectify',
   straightSeams: 'Straight seams',
   udim: 'UDIM tiles',
 };

@@ -102,7 +102,7 @@ export class MoreControl {
     else this.addChoice(name);
   }
 
-  private addChoice(name: 'fillHoles' | 'symmetricSeams' | 'up' | 'rotate'): void {
+  private addChoice(name: 'fillHoles' | 'symmetricSeams' | 'up' | 'rotate' | 'rectify'): void {
     const choices: readonly string[] = UNWRAP_OPTIONS[name].choices;
     const select = create('select', 'button');
     select.append(...choices.map((choice) => new Option(sentence(choice), choice)));

@@ -9,6 +9,7 @@ export const MORE = [
   'texelDensity',
   'up',
   'rotate',
+  'rectify',
   'straightSeams',
   'udim',
 ] as const satisfies (keyof UnwrapOptionValues)[];
@@ -22,9 +23,9 @@ export interface MoreOptions extends Pick<UnwrapOptionValues, MoreName> {
 export const MORE_LABELS: Record<MoreName, string> = OPTION_LABELS;
 
 export function defaultOptions(): MoreOptions {
-  const { fillHoles, symmetricSeams, t, texelDensity, up, rotate, straightSeams, udim } =
+  const { fillHoles, symmetricSeams, t, texelDensity, up, rotate, rectify, straightSeams, udim } =
     UNWRAP_DEFAULTS;
-  return { fillHoles, symmetricSeams, t, texelDensity, up, rotate, straightSeams, udim };
+  return { fillHoles, symmetricSeams, t, texelDensity, up, rotate, rectify, straightSeams, udim };
 }
 
 /** Several tiles need a given texel density. */

@@ -64,6 +64,25 @@ inline const char* nameOf(SymmetricSeams code) {
   return "";
 }
 
+/// Whether outlines that are nearly straight become exactly so, and strips rectangles.
+enum class Rectify : int {
+  Auto = 0,  ///< where that stays within the bound of stretch
+  Never = 1,  ///< leave outlines as they come out
+  Always = 2,  ///< whatever that stretches
+};
+
+inline const char* nameOf(Rectify code) {
+  switch (code) {
+    case Rectify::Auto:
+      return "auto";
+    case Rectify::Never:
+      return "never";
+    case Rectify::Always:
+      return "always";
+  }
+  return "";
+}
+
 /// Which axis of the mesh points up: charts that stand are laid out upright.
 enum class Up : int {
   Auto = 0,  ///< z in STL files, y in all others
@@ -85,13 +104,16 @@ inline const char* nameOf(Up code) {
 
 /// How charts, which lie level and upright, are turned to pack tighter.
 enum class Rotate : int {
-  Free = 0,  ///< by any angle where that gains 3 % texels per unit or more
-  Quarter = 1,  ///< by quarter turns only
-  None = 2,  ///< not at all
+  Auto = 0,  ///< like free, but charts with straight outlines by quarter turns only
+  Free = 1,  ///< by any angle where that gains 3 % texels per unit or more
+  Quarter = 2,  ///< by quarter turns only
+  None = 3,  ///< not at all
 };
 
 inline const char* nameOf(Rotate code) {
   switch (code) {
+    case Rotate::Auto:
+      return "auto";
     case Rotate::Free:
       return "free";
     case Rotate::Quarter:
@@ -125,6 +147,8 @@ struct UnwrapOptionValues {
   double t = 0;
   /// make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved
   bool straightSeams = false;
+  /// whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that stays within the bound of stretch; never = leave outlines as they come out; always = whatever that stretches
+  Rectify rectify = Rectify::Auto;
   /// side of the texture in texels
   int resolution = 1024;
   /// free texels between charts, and between far parts of one chart
@@ -137,8 +161,8 @@ struct UnwrapOptionValues {
   double minUtilization = -1;
   /// which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis
   Up up = Up::Auto;
-  /// how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
-  Rotate rotate = Rotate::Free;
+  /// how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
+  Rotate rotate = Rotate::Auto;
   /// memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)
   double memory = 0;
   /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
@@ -155,17 +179,18 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved", true, false},
+    {"rectify", "--rectify", "auto", "auto, never, always", "whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that stays within the bound of stretch; never = leave outlines as they come out; always = whatever that stretches", false, true},
     {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
     {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
-    {"rotate", "--rotate", "free", "free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
+    {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 17};
+  return {kInfos, 18};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -206,38 +231,42 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.straightSeams = value != 0;
       return true;
     case 8:
+      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+      options.rectify = static_cast<Rectify>(static_cast<int>(value));
+      return true;
+    case 9:
       if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
       options.resolution = static_cast<int>(value);
       return true;
-    case 9:
+    case 10:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
       return true;
-    case 10:
+    case 11:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.texelDensity = static_cast<double>(value);
       return true;
-    case 11:
+    case 12:
       if (!(value == 0 || value == 1)) return false;
       options.udim = value != 0;
       return true;
-    case 12:
+    case 13:
       if (!((value >= 0 && value <= 1) || (isWord && value == -1))) return false;
       options.minUtilization = static_cast<double>(value);
       return true;
-    case 13:
+    case 14:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.up = static_cast<Up>(static_cast<int>(value));
       return true;
-    case 14:
-      if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
+    case 15:
+      if (!(value >= 0 && value < 4 && value == std::trunc(value))) return false;
       options.rotate = static_cast<Rotate>(static_cast<int>(value));
       return true;
-    case 15:
+    case 16:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 16:
+    case 17:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -256,23 +285,27 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 5 && text == "never") return found = true, 1;
   if (index == 5 && text == "always") return found = true, 2;
   if (index == 6 && text == "auto") return found = true, 0;
-  if (index == 10 && text == "auto") return found = true, 0;
-  if (index == 12 && text == "auto") return found = true, -1;
-  if (index == 13 && text == "auto") return found = true, 0;
-  if (index == 13 && text == "y") return found = true, 1;
-  if (index == 13 && text == "z") return found = true, 2;
-  if (index == 14 && text == "free") return found = true, 0;
-  if (index == 14 && text == "quarter") return found = true, 1;
-  if (index == 14 && text == "none") return found = true, 2;
+  if (index == 8 && text == "auto") return found = true, 0;
+  if (index == 8 && text == "never") return found = true, 1;
+  if (index == 8 && text == "always") return found = true, 2;
+  if (index == 11 && text == "auto") return found = true, 0;
+  if (index == 13 && text == "auto") return found = true, -1;
+  if (index == 14 && text == "auto") return found = true, 0;
+  if (index == 14 && text == "y") return found = true, 1;
+  if (index == 14 && text == "z") return found = true, 2;
   if (index == 15 && text == "auto") return found = true, 0;
+  if (index == 15 && text == "free") return found = true, 1;
+  if (index == 15 && text == "quarter") return found = true, 2;
+  if (index == 15 && text == "none") return found = true, 3;
+  if (index == 16 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 15 && letter == 'M') return 1;
-  if (index == 15 && letter == 'G') return 1024;
-  if (index == 15 && letter == 'T') return 1048576;
+  if (index == 16 && letter == 'M') return 1;
+  if (index == 16 && letter == 'G') return 1024;
+  if (index == 16 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -290,6 +323,7 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   else
     visit("t", options.t);
   visit("straightSeams", options.straightSeams);
+  visit("rectify", nameOf(options.rectify));
   visit("resolution", options.resolution);
   visit("padding", options.padding);
   if (options.texelDensity == 0)

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/parallel.h"
+#include "chart/disk_chart.h"
+
+namespace abflat {
+
+struct RectifyOptions {
+  double balance = 0;  ///< see elementEnergy
+  std::uint64_t allowedBytes = 0;
+  ThreadPool* pool = nullptr;
+  std::function<bool()> onStep;  ///< called for each step; returning false stops
+};
+
+struct Rectified {
+  std::vector<double> uv;  ///< in the chart's unit, at its area; empty: stays as it was
+  double gain = 0;         ///< share of the outline that has become straight and level
+};
+
+/// Makes parts of a valid layout's outline that are nearly straight exactly so, and level: a strip
+/// becomes a rectangle. Nothing changes if there is little to straighten, or if the layout would
+/// not be valid.
+Rectified rectified(const DiskChart& chart, const std::vector<double>& uv,
+                    const RectifyOptions& options);
+
+}  // namespace abflat

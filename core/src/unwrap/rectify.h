@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+
+#include "abflat/unwrap.h"
+#include "base/parallel.h"
+#include "unwrap/laid_charts.h"
+
+namespace abflat {
+
+/// Makes outlines that are nearly straight lines exactly so where that stretches the chart by less
+/// than the bound. Charts that are exact, pinned, given or asked to be straight stay as they are.
+void rectifyAll(const UnwrapOptions& options, ThreadPool& pool,
+                const std::function<bool()>& goesOn, LaidCharts& charts);
+
+}  // namespace abflat
