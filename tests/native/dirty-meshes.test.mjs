@@ -119,11 +119,11 @@ test('specks find a place between the charts', async (t) => {
   assert.ok(specks.utilization > 0.7 * clean.utilization);
 });
 
-test('specks of a few texels are not cut to bits', async (t) => {
+test('specks of a few texels stay in one piece', async (t) => {
   const { charts, figure } = await measured(t, 'specks', 256);
   const specks = Math.ceil(dirtyMesh(20_000, 'clean').faces.length / 400);
   const ofSpecks = charts - figure.charts;
-  assert.ok(ofSpecks < 2 * specks, `${ofSpecks} charts of ${specks} specks`);
+  assert.ok(ofSpecks <= 1.25 * specks, `${ofSpecks} charts of ${specks} specks`);
 });
 
 /** Mean symmetric Dirichlet energy / 4 of a chart's triangles, where it has its area in space. */

@@ -79,8 +79,8 @@ Rectified rectified(const DiskChart& chart, const std::vector<double>& uv,
     now = refine(chart, std::move(now), refining).uv;
   }
   level(chart, found.runs, now);
-  if (!checkSeparated(chart, now).valid()) return {};
   fitArea(chart, now);
+  if (!checkSeparated(chart, now).valid()) return {};
   return {std::move(now), found.share - found.before};
 }
 

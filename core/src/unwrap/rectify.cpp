@@ -1,8 +1,11 @@
 #include "unwrap/rectify.h"
 
+#include <cmath>
+
 #include "base/point2.h"
 #include "flatten/rectify_chart.h"
 #include "solve/factor_memory.h"
+#include "unwrap/near_parts.h"
 
 namespace abflat {
 namespace {
@@ -17,8 +20,30 @@ bool isAsked(const FlatChart& flat, Rectify how) {
          flat.solver != Solver::Known && (how == Rectify::Always || !isExact);
 }
 
+/// Texels per unit, before packing tells.
+double expectedDensity(const UnwrapOptions& options, const FlatCharts& flat) {
+  constexpr double kUtilization = 0.5;
+  if (options.texelDensity != kAutoTexelDensity) return options.texelDensity;
+  double area = 0;
+  for (const FlatChart& chart : flat) area += chart.area;
+  return area > 0 ? options.resolution * std::sqrt(kUtilization / area) : 0;
+}
+
+/// How many edges of the outline would come too near others, so that the chart would be cut there.
+std::size_t nearEdges(const DiskChart& chart, const std::vector<double>& unpacked, double density,
+                      int padding) {
+  PlacedOutline outline;
+  for (const ChartCorner h : chart.boundary) {
+    const ChartVertex v = chart.vertexOfCorner[h];
+    for (const double x : pointAt(unpacked, v)) outline.uv.push_back(density * x);
+    for (std::size_t d = 0; d < 3; ++d)
+      outline.positions.push_back(density * chart.unit * chart.positions[3 * std::size_t{v} + d]);
+  }
+  return findNearParts(outline, padding).edges.size();
+}
+
 void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
-                const RectifyOptions& how, FlatChart& flat) {
+                const RectifyOptions& how, double density, FlatChart& flat) {
   IdVector<ChartVertex, ChartVertex> former;
   const DiskChart ordered = set.chartInOrder(i, former);
   std::vector<double> uv(flat.unpacked.size());
@@ -34,6 +59,9 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
   const bool isWorth =
       distortion.symmetricDirichlet <= options.maxStretch && more <= kWorth * found.gain;
   if (options.rectify == Rectify::Auto && !isWorth) return;
+  if (nearEdges(chart, places, density, options.padding) >
+      nearEdges(chart, flat.unpacked, density, options.padding))
+    return;
   flat.unpacked = std::move(places);
   flat.distortion = distortion;
 }
@@ -48,11 +76,12 @@ void rectifyAll(const UnwrapOptions& options, ThreadPool& pool,
   how.balance = options.balance;
   how.allowedBytes = allowedBytes(options.memory);
   how.pool = &pool;
+  const double density = expectedDensity(options, charts.flat);
   how.onStep = [&] { return !pool.isOwner() || goesOn(); };
   parallelFor(&pool, charts.set.size(), [&](std::size_t k) {
     const ChartId i(k);
     if (isAsked(charts.flat[i], options.rectify))
-      rectifyOne(charts.set, i, options, how, charts.flat[i]);
+      rectifyOne(charts.set, i, options, how, density, charts.flat[i]);
   });
 }
 

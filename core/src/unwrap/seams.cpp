@@ -118,6 +118,7 @@ bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8
   const SeamPart part = extractCharts(open.mesh, surface, isWanted);
   const bool hasRanks = !open.eliminationRanks.empty();
   if (hasRanks) options.eliminationRanks = part.ofVertices(open.eliminationRanks);
+  options.mirror = open.mirror.ofPart(part);
   open.seams.resize(open.mesh.twin.size(), 0);
   open.found.resize(open.mesh.twin.size(), 0);
   Seams given;
@@ -182,6 +183,8 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
     open.scale = std::move(found.scale);
     open.found = std::move(found.found);
     open.foundScale = std::move(found.foundScale);
+    open.mirror = std::move(found.mirror);
+    open.otherwise = std::move(found.otherwise);
     return;
   }
   const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
@@ -243,8 +246,11 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
                                keepsOn, report, &open);
   if (report.cancelled) found.cancelled = true;
   const SeamOptions how = seamOptions(options, open, pool, keepsOn);
+  // Of symmetric seams less is known than of those that they were preferred to.
   const auto costOf = [&](const OpenSurface& x) {
-    return costOfWhole(x.mesh, x.seams, x.scale, how.maxStretch, how.prices);
+    const bool isSure = x.otherwise.seams.empty();
+    return costOfWhole(x.mesh, isSure ? x.seams : x.otherwise.seams,
+                       isSure ? x.scale : x.otherwise.scale, how.maxStretch, how.prices);
   };
   // On the surface that is open there, the borders no longer know what they cost.
   double ofBorders = 0;
@@ -256,11 +262,48 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   found = std::move(report);
 }
 
+/// The larger value of each chart and its mirror image, so that both are cut alike.
+IdVector<CutChartId, double> withImages(const OpenSurface& open, const CutSurface& s,
+                                        IdVector<CutChartId, double> excess) {
+  IdVector<CutChartId, CutChartId> image(excess.size());
+  for (const SurfaceCorner h : open.mirror.image.ids()) {
+    const SurfaceCorner there = open.mirror.image[h];
+    // The mirror turns the surface around, so what is on the left comes to the right.
+    if (there.exists() && s.twin[h].exists())
+      image[s.chartOf(h)] = s.chartOf(open.mesh.twin[there]);
+  }
+  IdVector<CutChartId, double> out = excess;
+  for (const CutChartId c : image.ids())
+    if (image[c].exists() && image[image[c]] == c)
+      out[image[c]] = std::max(out[image[c]], excess[c]);
+  return out;
+}
+
+/// Whether much of the surface, cut symmetrically, was stretched much more than expected.
+bool isWorseThanExpected(const OpenSurface& open, const CutSurface& s,
+                         const IdVector<CutChartId, double>& excess) {
+  constexpr double kMuchMore = 1.35, kMuch = 0.5;
+  double area = 0;
+  for (const CutChartId c : s.charts.ids())
+    if (excess[c] > kMuchMore) area += s.charts[c].area;
+  return !open.otherwise.seams.empty() && area > kMuch * open.mesh.totalArea();
+}
+
+/// Goes back to the seams that symmetric ones were preferred to.
+void takeOther(OpenSurface& open) {
+  open.mirror = Mirror();
+  open.seams = std::move(open.otherwise.seams);
+  open.found = std::move(open.otherwise.found);
+  open.scale = std::move(open.otherwise.scale);
+  open.foundScale = std::move(open.otherwise.foundScale);
+  open.otherwise = KnownSeams();
+}
+
 std::string asymmetryNote(Asymmetry why) {
   const std::string what = "seams are not symmetric: ";
   if (why == Asymmetry::NoPlane) return what + "the mesh is not its own mirror image";
   if (why == Asymmetry::SeamsGiven) return what + "some seams or islands were given";
-  return what + "the mirror plane would cut a face or a filled hole";
+  return what + "charts would be stretched too much or overlap themselves";
 }
 
 }  // namespace
@@ -317,6 +360,12 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
                                              : above(charts[i].stretch) / told;
     excess[c] = std::min(found, std::max(kMost, leastToCut));
   }
+  if (isWorseThanExpected(open, s, excess)) {
+    takeOther(open);
+    return true;
+  }
+  open.otherwise = KnownSeams();
+  excess = withImages(open, s, std::move(excess));
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (const SurfaceTriangle f : open.mesh.triangles())
     if (const double x = excess[s.chartOfTriangle[f]]; x > 0) open.mesh.excess[f] = x;

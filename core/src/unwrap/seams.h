@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "chart/chart_set.h"
 #include "mesh/surface_map.h"
+#include "seam/find_seams.h"
 #include "seam/scale_seams.h"
 #include "unwrap/fixed.h"
 
@@ -27,6 +28,8 @@ struct OpenSurface {
   EliminationRanks eliminationRanks;  ///< of `mesh`
   LogScales scale;                    ///< expected
   LogScales foundScale;               ///< expected, before seams were shortened
+  Mirror mirror;                      ///< what the seams are symmetric to, if they are
+  KnownSeams otherwise;               ///< to be used if symmetric seams are worse than expected
 };
 
 /// A surface before it is cut.
