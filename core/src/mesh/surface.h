@@ -17,8 +17,8 @@ struct Surface {
 };
 
 /// Never fails on a mesh that passes validateArrays; summary.disk says whether it can be flattened.
-/// The result is unusable if the pulse has stopped.
-Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse = {});
+/// The result is unusable if the pulse has stopped. `fine`: see joinStraightPairs.
+Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse = {}, double fine = 0);
 
 /// As without a pulse; the result is unusable if the pulse has stopped.
 MeshSummary inspect(const PolygonMesh& mesh, const Pulse& pulse);

@@ -65,13 +65,15 @@ IdVector<CutChartId, Component> measure(const SeamMesh& mesh, const CutSurface& 
 
 }  // namespace
 
-Seams creasesToBegin(const SeamMesh& mesh, const CutSurface& whole) {
+Seams creasesToBegin(const SeamMesh& mesh, const CutSurface& whole, double leastArea) {
   Seams out = allCreases(mesh);
   const IdVector<CutChartId, Component> components = measure(mesh, whole, out);
   bool isAny = false;
   for (const SurfaceCorner h : out.ids()) {
     const CutChartId c = whole.chartOf(h);
-    out[h] = out[h] && whole.twin[h].exists() && components[c].isWorthIt(whole.charts[c]);
+    const CutSurface::Chart& chart = whole.charts[c];
+    out[h] = out[h] && whole.twin[h].exists() && chart.area >= leastArea &&
+             components[c].isWorthIt(chart);
     isAny = isAny || out[h];
   }
   return isAny ? out : Seams();

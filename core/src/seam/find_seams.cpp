@@ -30,7 +30,7 @@ class CreaseFinder {
       : mesh_(mesh),
         options_(options),
         whole_(cutAlong(mesh, given)),
-        creases_(creasesToBegin(mesh, whole_)) {}
+        creases_(creasesToBegin(mesh, whole_, options.speck * options.speck / kFoldedUp)) {}
 
   /// `seams`, which `report` describes, were found starting with whole components.
   void run(Seams& seams, SeamReport& report) const {
@@ -46,6 +46,9 @@ class CreaseFinder {
   }
 
  private:
+  /// Of the square of its extent once it is flat, the inverse of a closed speck's area.
+  static constexpr double kFoldedUp = 4;
+
   IdVector<CutChartId, std::uint8_t> componentsWithCreases() const {
     IdVector<CutChartId, std::uint8_t> out(whole_.charts.size(), 0);
     for (const SurfaceCorner h : creases_.ids())

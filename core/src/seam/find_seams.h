@@ -23,6 +23,9 @@ struct SeamOptions {
   double mostOverlap = 0.0003;
   /// The longest that a chart may be, in the mesh's unit; infinite: no limit.
   double longest = std::numeric_limits<double>::infinity();
+  /// Charts that reach no farther, in the mesh's unit, take up less of the atlas joined than apart,
+  /// however little of their hull they fill: the padding around them is what counts.
+  double speck = 0;
   /// Parts that are disks before anything is cut stay whole, however much they are distorted.
   bool keepDisks = false;
   EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are computed

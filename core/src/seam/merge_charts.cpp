@@ -74,7 +74,8 @@ class Merger {
   bool isPromising(const CutSurface& s, const ChartOutlines& outlines, const SharedRun& run) const {
     const OutlinePairs pairs = pairsOf(mesh_, s, run, outlines[run.a]);
     const Outline &a = outlines[run.a], &b = outlines[run.b];
-    if (!isHinge_) return roomTogether(a, b, pairs) <= mostRoom(run);
+    if (!isHinge_ && roomTogether(a, b, pairs) <= mostRoom(run)) return true;
+    if (!isHinge_ && longestExtent(a) + longestExtent(b) > options_.speck) return false;
     // Joining along a part of a seam changes so little that the union is as good as known.
     const Outline both = outlineTogether(a, b, pairs);
     if (both.empty()) return false;
@@ -190,15 +191,17 @@ class Merger {
     if (!s.charts[chart].isDisk() ||
         trial.stretchOf(chart) > 1 + ofBound * (options_.maxStretch - 1))
       return false;
-    if (!isWorth(trial, runs)) return false;
     const auto outline = [&](const CutSurface& surface, CutChartId c) {
       return predictOutline(trial.mesh(), surface, c, trial.scale());
     };
     const Outline whole = outline(s, chart);
     const Shape shape = measureShape(whole);
+    const bool isSpeck = shape.extent <= options_.speck;
+    if (!isSpeck && !isWorth(trial, runs)) return false;
     if (!shape.crossings.empty() || shape.overlap > options_.mostOverlap ||
-        shape.fill < (isHinge_ ? kLeastFill : options_.leastFill))
+        shape.fill < (isHinge_ || isSpeck ? kLeastFill : options_.leastFill))
       return false;
+    if (isSpeck) return true;
     double room = 0;
     for (const CutChartId part : trial.partsOf(runs))
       room += hullArea(outline(trial.apart(), part));

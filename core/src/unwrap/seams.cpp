@@ -71,6 +71,15 @@ double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
   return norm(edgeVector(welded.mesh.positions, tail, head)) / *longest;
 }
 
+/// Length of a texel on the surface, in the unit of the seam finder's mesh. Without a density asked
+/// for, it is what charts have that cover a usual share of the atlas.
+double texelOn(const OpenSurface& open, const UnwrapOptions& options) {
+  constexpr double kUsualUtilization = 0.6;
+  return options.texelDensity == kAutoTexelDensity
+             ? std::sqrt(open.mesh.totalArea() / kUsualUtilization) / options.resolution
+             : 1 / options.texelDensity / open.unit;
+}
+
 SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, ThreadPool& pool,
                         std::function<bool()> keepsOn) {
   SeamOptions out;
@@ -79,6 +88,8 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   if (options.seamCosts == SeamCosts::Length) out.prices = SeamPrices::none();
   out.symmetricSeams = options.symmetricSeams;
   out.fillHoles = options.fillHoles;
+  constexpr double kSpeckTexels = 16;
+  out.speck = kSpeckTexels * texelOn(open, options);
   if (options.udim)  // each chart has to fit a tile
     out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
   out.pool = &pool;

@@ -35,6 +35,7 @@
 #include "unwrap/seams.h"
 #include "unwrap/spacing.h"
 #include "unwrap/turned.h"
+#include "unwrap/unseen.h"
 
 namespace abflat {
 namespace {
@@ -93,7 +94,7 @@ class Unwrapping {
             *pool_,
             charts_,
             packing_,
-            densitiesOf(cutMesh(), options_.faceDensities)};
+            densitiesOf(cutMesh(), options_.faceDensities, truePositions_)};
   }
 
   Status checkInput() const {
@@ -133,6 +134,8 @@ class Unwrapping {
                   const Pulse& pulse) {
     if (!pulse.isStopped()) welded_ = weld(mesh, byPosition, pulse, joined);
     if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
+    if (pulse.isStopped() || surface_.table.nonManifold.empty()) return;
+    surface_ = buildSurface(welded_.mesh, pulse, fineLength(welded_, surface_, options_, unit_));
   }
 
   Status cut() {
@@ -146,6 +149,7 @@ class Unwrapping {
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
+    if (fixed_.isFixed.empty()) hideUnseen();
     Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
         {welded_, unit_, surface_}, {given.value, hard, scales, fixed_}, options_, *pool_,
@@ -154,6 +158,24 @@ class Unwrapping {
     monitor_.tellAgain();
     if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);
     return {};
+  }
+
+  /// Until the layout is measured.
+  void hideUnseen() {
+    Smoothed smoothed = withoutUnseen(welded_, surface_, options_, unit_, pulse_);
+    if (std::string note = unseenNote(smoothed); !note.empty())
+      report_.notes.push_back(std::move(note));
+    if (smoothed.triangles == 0) return;
+    truePositions_ = std::move(welded_.mesh.positions);
+    welded_.mesh.positions = std::move(smoothed.positions);
+  }
+
+  /// Whatever is reported from here on is told of the true surface.
+  void showUnseen() {
+    if (truePositions_.empty()) return;
+    std::swap(welded_.mesh.positions, truePositions_);
+    measureUnseen(charts_.set, truePositions_, welded_.mesh.positions, *pool_, charts_.flat);
+    truePositions_ = std::vector<double>();
   }
 
   /// Flattens all charts, and cuts those further that are stretched more than predicted.
@@ -267,7 +289,7 @@ class Unwrapping {
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), options_, charts_.flat); !s.ok()) return s;
     const FlatCharts& flat = charts_.flat;
-    const bool mayCut = roomMode(options_, flat, flat.size()) != RoomMode::None;
+    const bool mayCut = roomMode(options_, flat, 0) != RoomMode::None;
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForRoom();
     if (s.ok()) s = keepPartsApart();
@@ -410,6 +432,7 @@ class Unwrapping {
   Status finish() {
     packing_ = Packing();
     noteStretched(cutMesh(), charts_.flat, options_, report_.notes);
+    showUnseen();
     measureStraight(charts_.set, charts_.flat);
     fillTexcoords(texcoords_, unit_, charts_.flat, out_);
     giveBackFreeMemory();
@@ -436,6 +459,7 @@ class Unwrapping {
   UnwrapResult out_;
   UnwrapReport& report_ = out_.report;
   WeldedMesh welded_;
+  std::vector<double> truePositions_;  ///< positions of the welded mesh, if it has others meanwhile
   Surface surface_;
   std::unique_ptr<ThreadPool> pool_;
   FixedTriangles fixed_;
