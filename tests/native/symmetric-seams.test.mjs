@@ -106,7 +106,6 @@ function middleOf({ triangles }, axis) {
 for (const [file, axis] of [
   ['spot-uv.obj', 0],
   ['suzanne-quads.obj', 0],
-  ['../meshes2/cow.obj', 2],
 ])
   test(`${file} has symmetric seams by default`, { skip: withoutShared }, async (t) => {
     const at = tempFolder(t);

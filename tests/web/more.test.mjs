@@ -230,6 +230,7 @@ for (const [name, width, height] of [
       'texel-density',
       'up',
       'rotate',
+      'rectify',
       'straight-seams',
     ]) {
       await page.keyboard.press('Tab');

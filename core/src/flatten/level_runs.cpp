@@ -64,7 +64,8 @@ class Polygon {
     cost.fill(std::numeric_limits<double>::infinity());
     cost[static_cast<std::size_t>(nearest(first))] = 0;
     const std::uint8_t begin = nearest(first);
-    for (BoundaryIndex i = chart_.after(first); i != first; i = chart_.after(i)) cost = step(i, cost);
+    for (BoundaryIndex i = chart_.after(first); i != first; i = chart_.after(i))
+      cost = step(i, cost);
     closeTo(begin, cost);
     return trace(first, begin);
   }

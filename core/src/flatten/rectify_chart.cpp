@@ -32,7 +32,8 @@ std::vector<LevelEdge> edgesOf(const DiskChart& chart, const std::vector<LevelRu
     }
   // So that tiny edges are not stiff beyond what numbers can tell.
   constexpr double kShortest = 1e-4;
-  const double least = kShortest * length / static_cast<double>(std::max<std::size_t>(out.size(), 1));
+  const double least =
+      kShortest * length / static_cast<double>(std::max<std::size_t>(out.size(), 1));
   for (LevelEdge& edge : out) edge.length = std::max(edge.length, least);
   return out;
 }

@@ -15,13 +15,13 @@ namespace abflat {
 namespace {
 
 /// Mean stretch, less 1, of charts that nearly unroll.
-constexpr double kExact = 0.01;
+constexpr double kHardlyStretched = 0.01;
 /// Mirrored share of seams that are symmetric but for a few edges.
 constexpr double kSymmetric = 0.95;
 
 /// Seams to begin with have those of one side on both. The plane is added to narrow charts, or to
 /// all but very broad ones.
-constexpr double kNarrow = 0.15, kBroad = 1;
+constexpr double kNarrowChart = 0.15, kBroadChart = 1;
 
 /// The seams of one search, with what is known of them.
 struct FoundSymmetric {
@@ -71,15 +71,15 @@ class SymmetricFinder {
  private:
   bool isForced() const { return options_.symmetricSeams == SymmetricSeams::Always; }
 
-  /// Finishes all searches if symmetric seams are wanted whatever they cost, otherwise only the one
-  /// that is cheapest once charts are joined.
+  /// Finishes all searches if symmetric seams are wanted whatever they cost, otherwise only those
+  /// that are cheapest once charts are joined.
   std::optional<FoundSymmetric> find(SeamReport& report) const {
+    constexpr std::size_t kFinished = 2;
     SeamOptions options = options_;
     options.eliminationRanks = report.eliminationRanks;
     options.mirror = mirror_;
     std::optional<FoundSymmetric> best;
-    std::unique_ptr<SymmetricSearch> cheapest;
-    double least = HUGE_VAL;
+    std::vector<std::pair<double, std::unique_ptr<SymmetricSearch>>> open;  // cheapest first
     const auto finishOne = [&](SymmetricSearch& search) {
       finish(search, best);
       report.cancelled = report.cancelled || search.report.cancelled;
@@ -94,18 +94,19 @@ class SymmetricFinder {
       }
       if (isForced()) continue;
       const double price = priceOf(dear_, now->search.joined(), now->search.scale());
-      if (!(price < least)) continue;
-      least = price;
-      cheapest = std::move(now);
+      const auto dearer = std::find_if(open.begin(), open.end(),
+                                       [&](const auto& other) { return price < other.first; });
+      open.emplace(dearer, price, std::move(now));
+      if (open.size() > kFinished) open.pop_back();
     }
-    if (cheapest) finishOne(*cheapest);
+    for (const auto& [price, search] : open) finishOne(*search);
     return best;
   }
 
   std::vector<Seams> beginningsFrom(const Seams& found) const {
     std::vector<Seams> out;
     for (const int from : {1, -1})
-      for (const double broadest : {kNarrow, kBroad}) {
+      for (const double broadest : {kNarrowChart, kBroadChart}) {
         Seams seams = mirrored(mesh_, mirror_, found, from);
         cutAlongPlane(mesh_, mirror_, broadest, seams);
         seams = mirrored(mesh_, mirror_, seams, 1);
@@ -140,10 +141,11 @@ class SymmetricFinder {
 
   bool isPreferable(const FoundSymmetric& found, const Seams& seams,
                     const SeamReport& report) const {
-    constexpr double kMore = 1.1, kMoreCharts = 1.25;
+    // Prices are less sure than lengths.
+    constexpr double kMore = 1.1, kMorePrice = 1.25, kMoreCharts = 1.25;
     constexpr std::uint32_t kPair = 2;
     const std::pair<double, double> now = lengthsOf(found.seams), before = lengthsOf(seams);
-    return found.price <= kMore * priceOf(mesh_, seams, report.scale) &&
+    return found.price <= kMorePrice * priceOf(mesh_, seams, report.scale) &&
            now.first <= kMore * before.first && now.second <= before.second &&
            found.report.charts <=
                std::max<double>(kMoreCharts * report.charts, report.charts + kPair);
@@ -162,7 +164,7 @@ void preferSymmetric(const SeamMesh& mesh, const SeamOptions& options, Seams& se
   if (options.symmetricSeams == SymmetricSeams::Never || costOfSeams(mesh, seams) == 0) return;
   const bool isForced = options.symmetricSeams == SymmetricSeams::Always;
   // Of boxes and other parts that unroll, seams follow creases, whatever is opposite.
-  if (!isForced && report.stretch - 1 < kExact) return;
+  if (!isForced && report.stretch - 1 < kHardlyStretched) return;
   // A seam and its image may reach a hole from two sides, which opens it.
   if (!isForced && options.fillHoles == FillHoles::Always && !mesh.hole.empty()) return;
   Mirror mirror = findMirror(mesh, Pulse(options.keepsOn));

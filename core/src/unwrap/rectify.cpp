@@ -68,8 +68,8 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
 
 }  // namespace
 
-void rectifyAll(const UnwrapOptions& options, ThreadPool& pool,
-                const std::function<bool()>& goesOn, LaidCharts& charts) {
+void rectifyAll(const UnwrapOptions& options, ThreadPool& pool, const std::function<bool()>& goesOn,
+                LaidCharts& charts) {
   const bool isFree = options.t == kAutoT && !options.straightSeams && options.balance > 0;
   if (options.rectify == Rectify::Never || !isFree) return;
   RectifyOptions how;
