@@ -85,7 +85,8 @@ template <class Visit>
 void visitEdges(const PolygonMesh& mesh, std::uint32_t f, const Visit& visit) {
   const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1];
   for (std::uint32_t c = begin; c < end; ++c) {
-    const std::uint32_t a = mesh.faceVertices[c], b = mesh.faceVertices[c + 1 < end ? c + 1 : begin];
+    const std::uint32_t a = mesh.faceVertices[c],
+                        b = mesh.faceVertices[c + 1 < end ? c + 1 : begin];
     visit(std::min(a, b), std::max(a, b), a < b);
   }
 }
@@ -126,9 +127,8 @@ class TwoWayCopies {
     std::vector<Copies> out;
     for (std::size_t i = 0; i < copies_.size(); ++i) {
       out.push_back(*copies_[i]);
-      sortStably(out.back(), [&](std::uint32_t a, std::uint32_t b) {
-        return isFirst(i, a) && !isFirst(i, b);
-      });
+      sortStably(out.back(),
+                 [&](std::uint32_t a, std::uint32_t b) { return isFirst(i, a) && !isFirst(i, b); });
     }
     return out;
   }
@@ -144,9 +144,9 @@ class TwoWayCopies {
   /// are new to it.
   void vote(std::uint32_t low, std::uint32_t high, bool isUpwards, std::uint32_t from) {
     const TwoWayEdge first{low, high, 0, false};
-    auto edge = std::lower_bound(
-        edges_.begin(), edges_.end(), first,
-        [](const TwoWayEdge& a, const TwoWayEdge& b) { return a.isBefore(b); });
+    auto edge =
+        std::lower_bound(edges_.begin(), edges_.end(), first,
+                         [](const TwoWayEdge& a, const TwoWayEdge& b) { return a.isBefore(b); });
     for (; edge != edges_.end() && edge->low == low && edge->high == high; ++edge) {
       if (edge->copies == from || (from != kNone && votes_[edge->copies] != 0)) continue;
       votes_[edge->copies] += edge->isUpwards != isUpwards ? 1 : -1;

@@ -12,7 +12,8 @@ namespace {
 constexpr int kRounds = 16;
 /// Of its area, a part must lose that much to count as noisy, and keep that much.
 constexpr double kLeastLost = 0.1, kLeastKept = 0.25;
-/// And that much must be left of its bends at most: what is thin loses area, too, but stays as bent.
+/// And that much must be left of its bends at most: what is thin loses area, too, but stays as
+/// bent.
 constexpr double kMostBent = 0.75;
 /// With fewer, its steps are its shape.
 constexpr std::size_t kLeastTriangles = 1000;

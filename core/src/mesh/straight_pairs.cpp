@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kMostBend = 80 * kPi / 180;  // right angles stay cut
 constexpr double kMostBendOfStep = 100 * kPi / 180;
-constexpr double kSameBend = 1e-6;            // radians; far above rounding
-constexpr std::size_t kMostFaces = 4;         // that traverse an edge in one direction
+constexpr double kSameBend = 1e-6;     // radians; far above rounding
+constexpr std::size_t kMostFaces = 4;  // that traverse an edge in one direction
 
 /// A half-edge at the edge, and where its triangle lies: a unit vector at right angles to the edge.
 struct Leaf {
@@ -97,8 +97,8 @@ IdVector<SurfaceCorner, std::uint8_t> cornersThere(const CornerTable& table) {
   return out;
 }
 
-/// Whether the surface around a triangle has a border within a few triangles. `isCut`: at half-edges
-/// that are no border, although they have no twins.
+/// Whether the surface around a triangle has a border within a few triangles. `isCut`: at
+/// half-edges that are no border, although they have no twins.
 bool endsNear(const CornerTable& table, const IdVector<SurfaceCorner, std::uint8_t>& isCut,
               SurfaceTriangle first) {
   constexpr int kSteps = 3;

@@ -227,7 +227,8 @@ RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::siz
       !options.seams.isAuto || options.t != kAutoT ||
       std::any_of(flat.begin(), flat.end(), isFixed))
     return RoomMode::None;
-  const std::size_t large = countOf(largeCharts(flat, cuts)), count = large > cuts ? large - cuts : 0;
+  const std::size_t large = countOf(largeCharts(flat, cuts)),
+                    count = large > cuts ? large - cuts : 0;
   if (large == 0 || count > kMostToCutLong) return RoomMode::None;
   const bool isAny = !options.straightSeams && count <= kMostToCut;
   return isAny ? RoomMode::All : RoomMode::Long;

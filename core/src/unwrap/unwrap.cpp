@@ -190,7 +190,8 @@ class Unwrapping {
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve, tell); !s.ok()) return s;
     if (Status s = endSearch(tell); !s.ok()) return s;
     if (Status s = halveRuined(report_.timings.solve, tell); !s.ok()) return s;
-    rectifyAll(options_, *pool_, [&] { return tell(1); }, charts_);
+    rectifyAll(
+        options_, *pool_, [&] { return tell(1); }, charts_);
     return {};
   }
 

@@ -33,8 +33,7 @@ Surface surfaceOf(const PolygonMesh& mesh) {
 }  // namespace
 
 TEST_CASE("a surface that is there twice is two surfaces, however its faces are numbered") {
-  const PolygonMesh mesh =
-      withBackSides(torus(12, 8), false, [](std::uint32_t) { return true; });
+  const PolygonMesh mesh = withBackSides(torus(12, 8), false, [](std::uint32_t) { return true; });
   for (unsigned seed = 1; seed < 6; ++seed) {
     const MeshSummary m = surfaceOf(renumbered(mesh, seed).mesh).summary;
     CHECK(m.components == 2);
@@ -59,8 +58,8 @@ TEST_CASE("back sides of some faces make no holes in the surface") {
 }
 
 TEST_CASE("repeated faces are told by the first of their kind") {
-  const PolygonMesh mesh = makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0},
-                                            {0, 1, 2, 2, 1, 3, 0, 2, 1, 1, 2, 0});
+  const PolygonMesh mesh =
+      makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, {0, 1, 2, 2, 1, 3, 0, 2, 1, 1, 2, 0});
   const RepeatedFaces found = findRepeated(mesh, {});
   CHECK(found.original == std::vector<std::uint32_t>{kNone, kNone, 0, 0});
   CHECK(found.layer == std::vector<std::uint32_t>{0, 0, 2, 1});

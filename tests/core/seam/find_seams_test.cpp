@@ -217,8 +217,8 @@ PolygonMesh specks(unsigned count) {
       at[k / 2] += (k % 2 ? -1 : 1) * (0.5 + (seed >> 8) / 16777216.0);
       positions.insert(positions.end(), at.begin(), at.end());
     }
-    for (const std::uint32_t v : {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
-                                  2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5})
+    for (const std::uint32_t v :
+         {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5})
       triangles.push_back(6 * i + v);
   }
   return makeTriangleMesh(std::move(positions), std::move(triangles));
