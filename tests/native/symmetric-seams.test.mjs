@@ -2,7 +2,7 @@
 // faces across the plane, turned.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { parseObj } from '../support/atlas.mjs';
 import { chartedLayout, lengthOf, minus } from '../support/charted-layout.mjs';
@@ -10,7 +10,7 @@ import { mirroredShare } from '../support/mirrored-share.mjs';
 import { Random } from '../support/random-surfaces.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { sharedMesh, withoutShared } from '../support/shared.mjs';
-import { sphere, torus } from '../support/surfaces.mjs';
+import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { unwrapJudged } from '../support/unwrap-judged.mjs';
 
@@ -116,6 +116,15 @@ for (const [file, axis] of [
     const share = mirroredShare(layout, { normal, distance: middleOf(layout, axis) });
     assert.ok(share > SHARE, `${share}`);
   });
+
+test('rings side by side stay within the bound of stretch', async (t) => {
+  const at = tempFolder(t);
+  const rings = [0, 3].map((x) => [torus(16, 8), [x, 0, 0]]);
+  writeFileSync(at('in.obj'), objText(together(rings)));
+  await runAbflat(['unwrap', at('in.obj'), '-o', at('out.obj'), '-q', '--report', at('r.json')]);
+  const { charts } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+  for (const { symmetricDirichlet } of charts) assert.ok(symmetricDirichlet <= 1.02);
+});
 
 test('a cow has no seam down the middle of its face', { skip: withoutShared }, async (t) => {
   const at = tempFolder(t);

@@ -289,6 +289,17 @@ bool isWorseThanExpected(const OpenSurface& open, const CutSurface& s,
   return !open.otherwise.seams.empty() && area > kMuch * open.mesh.totalArea();
 }
 
+/// Whether there are new seams in every chart that is asked for.
+bool isEachCut(const CutSurface& s, const IdVector<CutChartId, double>& asked, const Seams& before,
+               const Seams& now) {
+  IdVector<CutChartId, std::uint8_t> isCut(s.charts.size(), 0);
+  for (const SurfaceCorner h : now.ids())
+    if (before[h] != now[h]) isCut[s.chartOf(h)] = 1;
+  for (const CutChartId c : asked.ids())
+    if (asked[c] > 0 && !isCut[c]) return false;
+  return true;
+}
+
 /// Goes back to the seams that symmetric ones were preferred to.
 void takeOther(OpenSurface& open) {
   open.mirror = Mirror();
@@ -362,9 +373,19 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   }
   if (isWorseThanExpected(open, s, excess)) {
     takeOther(open);
+    // Charts that both have are still stretched.
+    const CutSurface other = cutAlong(open.mesh, open.seams);
+    IdVector<ChartId, Stretched> same = charts;
+    for (const ChartId i : same.ids()) {
+      const ChartTopology chart = set.topology(i);
+      const CutChartId c = other.chartOfTriangle[chart.triangles.front()];
+      if (other.charts[c].triangles != chart.triangles.size()) same[i] = {};
+    }
+    cutStretched(set, same, options, pool, std::move(keepsOn), open);
     return true;
   }
   open.otherwise = KnownSeams();
+  const IdVector<CutChartId, double> asked = excess;
   excess = withImages(open, s, std::move(excess));
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (const SurfaceTriangle f : open.mesh.triangles())
@@ -373,9 +394,19 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   IdVector<CutChartId, std::uint8_t> isWanted(apart.charts.size(), 0);
   for (const CutChartId c : s.charts.ids())
     if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
-  SeamReport found;
-  const bool isAnyFound = findWithin(
-      apart, isWanted, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
+  const SeamOptions how = seamOptions(options, open, pool, std::move(keepsOn));
+  const auto find = [&] {
+    SeamReport found;
+    return findWithin(apart, isWanted, how, open, found);
+  };
+  Seams before = open.seams;
+  before.resize(open.mesh.twin.size(), 0);
+  bool isAnyFound = find();
+  if (open.mirror && !isEachCut(s, asked, before, open.seams)) {
+    // The bound on stretch comes before symmetry.
+    open.mirror = Mirror();
+    isAnyFound = find() || isAnyFound;
+  }
   return isAnyFound || isAnyRestored;
 }
 
