@@ -1,11 +1,11 @@
 #include "unwrap/rectify.h"
 
-#include <cmath>
-
 #include "base/point2.h"
 #include "flatten/rectify_chart.h"
 #include "solve/factor_memory.h"
+#include "unwrap/expected_density.h"
 #include "unwrap/near_parts.h"
+#include "unwrap/reordered.h"
 
 namespace abflat {
 namespace {
@@ -18,15 +18,6 @@ bool isAsked(const FlatChart& flat, Rectify how) {
   const bool isExact = flat.distortion.symmetricDirichlet <= 1 + kExact;
   return flat.problem.empty() && !flat.isFixed && !flat.isGiven && !flat.unpacked.empty() &&
          flat.solver != Solver::Known && (how == Rectify::Always || !isExact);
-}
-
-/// Texels per unit, before packing tells.
-double expectedDensity(const UnwrapOptions& options, const FlatCharts& flat) {
-  constexpr double kUtilization = 0.5;
-  if (options.texelDensity != kAutoTexelDensity) return options.texelDensity;
-  double area = 0;
-  for (const FlatChart& chart : flat) area += chart.area;
-  return area > 0 ? options.resolution * std::sqrt(kUtilization / area) : 0;
 }
 
 /// How many edges of the outline would come too near others, so that the chart would be cut there.
@@ -46,13 +37,11 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
                 const RectifyOptions& how, double density, FlatChart& flat) {
   IdVector<ChartVertex, ChartVertex> former;
   const DiskChart ordered = set.chartInOrder(i, former);
-  std::vector<double> uv(flat.unpacked.size());
-  for (const ChartVertex v : former.ids()) setPoint(uv, v, pointAt(flat.unpacked, former[v]));
-  Rectified found = rectified(ordered, inChartUnit(ordered, std::move(uv)), how);
+  Rectified found =
+      rectified(ordered, inChartUnit(ordered, inOrder(flat.unpacked, former)), how);
   if (found.uv.empty()) return;
   for (double& x : found.uv) x *= ordered.unit;
-  std::vector<double> places(found.uv.size());
-  for (const ChartVertex v : former.ids()) setPoint(places, former[v], pointAt(found.uv, v));
+  std::vector<double> places = inFormerOrder(found.uv, former);
   const DiskChart chart = set.chart(i);
   const ChartDistortion distortion(measureDistortion(chart, inChartUnit(chart, places)));
   const double more = distortion.symmetricDirichlet - flat.distortion.symmetricDirichlet;
@@ -68,7 +57,7 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
 
 }  // namespace
 
-void rectifyAll(const UnwrapOptions& options, ThreadPool& pool, const std::function<bool()>& goesOn,
+void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool, const std::function<bool()>& goesOn,
                 LaidCharts& charts) {
   const bool isFree = options.t == kAutoT && !options.straightSeams && options.balance > 0;
   if (options.rectify == Rectify::Never || !isFree) return;
@@ -76,7 +65,9 @@ void rectifyAll(const UnwrapOptions& options, ThreadPool& pool, const std::funct
   how.balance = options.balance;
   how.allowedBytes = allowedBytes(options.memory);
   how.pool = &pool;
-  const double density = expectedDensity(options, charts.flat);
+  double area = 0;
+  for (const FlatChart& chart : charts.flat) area += chart.area;
+  const double density = expectedDensity(options, area, unit);
   how.onStep = [&] { return !pool.isOwner() || goesOn(); };
   parallelFor(&pool, charts.set.size(), [&](std::size_t k) {
     const ChartId i(k);

@@ -17,6 +17,7 @@
 #include "seam/plates.h"
 #include "seam/prediction.h"
 #include "seam/seam_value.h"
+#include "unwrap/expected_density.h"
 
 namespace abflat {
 namespace {
@@ -71,15 +72,6 @@ double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
   return norm(edgeVector(welded.mesh.positions, tail, head)) / *longest;
 }
 
-/// Length of a texel on the surface, in the unit of the seam finder's mesh. Without a density asked
-/// for, it is what charts have that cover a usual share of the atlas.
-double texelOn(const OpenSurface& open, const UnwrapOptions& options) {
-  constexpr double kUsualUtilization = 0.6;
-  return options.texelDensity == kAutoTexelDensity
-             ? std::sqrt(open.mesh.totalArea() / kUsualUtilization) / options.resolution
-             : 1 / options.texelDensity / open.unit;
-}
-
 SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, ThreadPool& pool,
                         std::function<bool()> keepsOn) {
   SeamOptions out;
@@ -89,7 +81,7 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   out.symmetricSeams = options.symmetricSeams;
   out.fillHoles = options.fillHoles;
   constexpr double kSpeckTexels = 16;
-  out.speck = kSpeckTexels * texelOn(open, options);
+  out.speck = kSpeckTexels / expectedDensity(options, open.mesh.totalArea(), open.unit);
   if (options.udim)  // each chart has to fit a tile
     out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
   out.pool = &pool;
@@ -289,17 +281,6 @@ bool isWorseThanExpected(const OpenSurface& open, const CutSurface& s,
   return !open.otherwise.seams.empty() && area > kMuch * open.mesh.totalArea();
 }
 
-/// Whether there are new seams in every chart that is asked for.
-bool isEachCut(const CutSurface& s, const IdVector<CutChartId, double>& asked, const Seams& before,
-               const Seams& now) {
-  IdVector<CutChartId, std::uint8_t> isCut(s.charts.size(), 0);
-  for (const SurfaceCorner h : now.ids())
-    if (before[h] != now[h]) isCut[s.chartOf(h)] = 1;
-  for (const CutChartId c : asked.ids())
-    if (asked[c] > 0 && !isCut[c]) return false;
-  return true;
-}
-
 /// Goes back to the seams that symmetric ones were preferred to.
 void takeOther(OpenSurface& open) {
   open.mirror = Mirror();
@@ -344,11 +325,11 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Unw
   return open;
 }
 
-bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
+Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open) {
   const auto isAsked = [](const Stretched& chart) { return chart.stretch > 0; };
-  if (std::none_of(charts.begin(), charts.end(), isAsked)) return false;
+  if (std::none_of(charts.begin(), charts.end(), isAsked)) return Further::Nothing;
   const CutSurface s = cutAlong(open.mesh, open.seams);
   const Prediction expected = predictStretch(open.mesh, s, open.scale);
   IdVector<CutChartId, double> excess(s.charts.size(), 0);  // 0: leave the chart alone
@@ -373,19 +354,9 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   }
   if (isWorseThanExpected(open, s, excess)) {
     takeOther(open);
-    // Charts that both have are still stretched.
-    const CutSurface other = cutAlong(open.mesh, open.seams);
-    IdVector<ChartId, Stretched> same = charts;
-    for (const ChartId i : same.ids()) {
-      const ChartTopology chart = set.topology(i);
-      const CutChartId c = other.chartOfTriangle[chart.triangles.front()];
-      if (other.charts[c].triangles != chart.triangles.size()) same[i] = {};
-    }
-    cutStretched(set, same, options, pool, std::move(keepsOn), open);
-    return true;
+    return Further::Replaced;
   }
   open.otherwise = KnownSeams();
-  const IdVector<CutChartId, double> asked = excess;
   excess = withImages(open, s, std::move(excess));
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (const SurfaceTriangle f : open.mesh.triangles())
@@ -394,20 +365,10 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   IdVector<CutChartId, std::uint8_t> isWanted(apart.charts.size(), 0);
   for (const CutChartId c : s.charts.ids())
     if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
-  const SeamOptions how = seamOptions(options, open, pool, std::move(keepsOn));
-  const auto find = [&] {
-    SeamReport found;
-    return findWithin(apart, isWanted, how, open, found);
-  };
-  Seams before = open.seams;
-  before.resize(open.mesh.twin.size(), 0);
-  bool isAnyFound = find();
-  if (open.mirror && !isEachCut(s, asked, before, open.seams)) {
-    // The bound on stretch comes before symmetry.
-    open.mirror = Mirror();
-    isAnyFound = find() || isAnyFound;
-  }
-  return isAnyFound || isAnyRestored;
+  SeamReport found;
+  const bool isAnyFound = findWithin(
+      apart, isWanted, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
+  return isAnyFound || isAnyRestored ? Further::Cut : Further::Nothing;
 }
 
 bool halve(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isAsked,

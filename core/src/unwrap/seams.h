@@ -59,10 +59,16 @@ struct Stretched {
   bool isInvalid = false;  ///< and has not been refined
 };
 
+/// What cutting further has done.
+enum class Further : std::uint8_t {
+  Nothing,  ///< none of the charts can be cut so that less stretch is expected
+  Cut,
+  Replaced  ///< the seams are others; charts that stay as they are have not been tried yet
+};
+
 /// Cuts charts further that are invalid or stretched by more than `options.maxStretch`. New seams
-/// start from those found before, with a prediction corrected by the actual stretch. False if none
-/// of the charts can be cut so that less stretch is expected.
-bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
+/// start from those found before, with a prediction corrected by the actual stretch.
+Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
                   const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
                   OpenSurface& open);
 

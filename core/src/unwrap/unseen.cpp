@@ -7,22 +7,19 @@
 #include "base/parallel.h"
 #include "check/distortion.h"
 #include "mesh/triangle_geometry.h"
+#include "unwrap/expected_density.h"
 
 namespace abflat {
 namespace {
 
 constexpr double kUnseenTexels = 2;
 
-/// Length of a texel on the surface, in units of the welded mesh. Without a density asked for, it
-/// is what charts have that cover a usual share of the atlas.
 double texelOn(const WeldedMesh& welded, const Surface& surface, const UnwrapOptions& options,
                double unit) {
-  if (options.texelDensity != kAutoTexelDensity) return 1 / (options.texelDensity * unit);
-  constexpr double kUsualUtilization = 0.6;
   LongSum area;
   for (const SurfaceTriangle f : surface.table.triangles())
     area.add(areaOf(welded.mesh.positions, verticesOf(surface.table.vertex, f)));
-  return std::sqrt(area.value() / kUsualUtilization) / options.resolution;
+  return 1 / expectedDensity(options, area.value(), unit);
 }
 
 }  // namespace

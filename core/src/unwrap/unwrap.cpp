@@ -191,7 +191,7 @@ class Unwrapping {
     if (Status s = endSearch(tell); !s.ok()) return s;
     if (Status s = halveRuined(report_.timings.solve, tell); !s.ok()) return s;
     rectifyAll(
-        options_, *pool_, [&] { return tell(1); }, charts_);
+        options_, unit_, *pool_, [&] { return tell(1); }, charts_);
     return {};
   }
 
@@ -250,14 +250,16 @@ class Unwrapping {
   bool cutFurther(const std::function<bool()>& goesOn) {
     if (!canCut(options_)) return false;
     IdVector<ChartId, Stretched> charts;
-    for (FlatChart& chart : charts_.flat) {
+    for (const FlatChart& chart : charts_.flat) {
       const bool isAsked =
           (chart.isGivenUp() || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
       charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isGivenUp()});
-      // Cleared if its layout is not kept.
-      chart.isCutEnough = chart.isCutEnough || isAsked;
     }
-    return cutStretched(charts_.set, charts, options_, *pool_, goesOn, open_);
+    const Further done = cutStretched(charts_.set, charts, options_, *pool_, goesOn, open_);
+    // Charts whose layout is kept have been tried.
+    for (const ChartId i : charts.ids())
+      charts_.flat[i].isCutEnough |= done != Further::Replaced && charts[i].stretch > 0;
+    return done != Further::Nothing;
   }
 
   /// Remakes the charts of the surface with its present seams. Unchanged charts keep their layout;
