@@ -54,7 +54,7 @@ class SymmetricFinder {
   }
 
   void run(Seams& seams, SeamReport& report) {
-    std::optional<FoundSymmetric> found = find(report);
+    std::optional<FoundSymmetric> found = isForced() ? findAny(report) : findCheap(seams, report);
     if (report.cancelled) return;
     if (!found) report.asymmetry = Asymmetry::NoSeams;
     if (!found || !(isForced() || isPreferable(*found, seams, report))) return;
@@ -71,54 +71,70 @@ class SymmetricFinder {
  private:
   bool isForced() const { return options_.symmetricSeams == SymmetricSeams::Always; }
 
-  /// Finishes all searches if symmetric seams are wanted whatever they cost, otherwise only those
-  /// that are cheapest once charts are joined.
-  std::optional<FoundSymmetric> find(SeamReport& report) const {
-    constexpr std::size_t kFinished = 2;
-    SeamOptions options = options_;
-    options.eliminationRanks = report.eliminationRanks;
-    options.mirror = mirror_;
+  /// The best of all searches.
+  std::optional<FoundSymmetric> findAny(SeamReport& report) const {
     std::optional<FoundSymmetric> best;
-    std::vector<std::pair<double, std::unique_ptr<SymmetricSearch>>> open;  // cheapest first
-    const auto finishOne = [&](SymmetricSearch& search) {
-      finish(search, best);
-      report.cancelled = report.cancelled || search.report.cancelled;
-    };
-    for (Seams& first : beginningsFrom(report.found)) {
-      options.first = std::move(first);
-      auto now = std::make_unique<SymmetricSearch>(dear_, options);
-      if (isForced()) finishOne(*now);
-      if (report.cancelled || now->report.cancelled) {
-        report.cancelled = true;
-        return {};
-      }
-      if (isForced()) continue;
-      const double price = priceOf(dear_, now->search.joined(), now->search.scale());
-      const auto dearer = std::find_if(open.begin(), open.end(),
-                                       [&](const auto& other) { return price < other.first; });
-      open.emplace(dearer, price, std::move(now));
-      if (open.size() > kFinished) open.pop_back();
-    }
-    for (const auto& [price, search] : open) finishOne(*search);
+    for (const double broadest : {kNarrowChart, kBroadChart})
+      for (const Seams& first : beginningsFrom(report.found, broadest))
+        if (const std::unique_ptr<SymmetricSearch> search = joinedFrom(first, report))
+          finish(*search, best, report);
     return best;
   }
 
-  std::vector<Seams> beginningsFrom(const Seams& found) const {
-    std::vector<Seams> out;
-    for (const int from : {1, -1})
-      for (const double broadest : {kNarrowChart, kBroadChart}) {
-        Seams seams = mirrored(mesh_, mirror_, found, from);
-        cutAlongPlane(mesh_, mirror_, broadest, seams);
-        seams = mirrored(mesh_, mirror_, seams, 1);
-        if (out.empty() || seams != out.back()) out.push_back(std::move(seams));
+  /// Finishes only those that are cheapest once charts are joined, and none if even these cost so
+  /// much more than `seams` that finishing will not make up for it.
+  std::optional<FoundSymmetric> findCheap(const Seams& seams, SeamReport& report) const {
+    constexpr std::size_t kFinished = 2;
+    constexpr double kHopeless = 1.26;
+    const double most = kHopeless * priceOf(dear_, seams, report.scale);
+    std::vector<std::pair<double, std::unique_ptr<SymmetricSearch>>> open;  // cheapest first
+    for (const double broadest : {kNarrowChart, kBroadChart}) {
+      for (const Seams& first : beginningsFrom(report.found, broadest)) {
+        std::unique_ptr<SymmetricSearch> now = joinedFrom(first, report);
+        if (!now) return {};
+        const double price = priceOf(dear_, now->search.joined(), now->search.scale());
+        const auto dearer = std::find_if(open.begin(), open.end(),
+                                         [&](const auto& other) { return price < other.first; });
+        open.emplace(dearer, price, std::move(now));
       }
+      if (open.front().first > most) return {};
+      open.resize(std::min(open.size(), kFinished));
+    }
+    std::optional<FoundSymmetric> best;
+    for (const auto& [price, search] : open) finish(*search, best, report);
+    return best;
+  }
+
+  /// A search whose charts are joined; null if cancelled.
+  std::unique_ptr<SymmetricSearch> joinedFrom(const Seams& first, SeamReport& report) const {
+    SeamOptions options = options_;
+    options.eliminationRanks = report.eliminationRanks;
+    options.mirror = mirror_;
+    options.first = first;
+    auto out = std::make_unique<SymmetricSearch>(dear_, options);
+    report.cancelled = report.cancelled || out->report.cancelled;
+    return report.cancelled ? nullptr : std::move(out);
+  }
+
+  /// The seams of either side with their images; charts of their own image that are narrower than
+  /// `broadest` are cut along the plane.
+  std::vector<Seams> beginningsFrom(const Seams& found, double broadest) const {
+    std::vector<Seams> out;
+    for (const int from : {1, -1}) {
+      Seams seams = mirrored(mesh_, mirror_, found, from);
+      cutAlongPlane(mesh_, mirror_, broadest, seams);
+      seams = mirrored(mesh_, mirror_, seams, 1);
+      if (out.empty() || seams != out.back()) out.push_back(std::move(seams));
+    }
     return out;
   }
 
-  void finish(SymmetricSearch& found, std::optional<FoundSymmetric>& best) const {
+  void finish(SymmetricSearch& found, std::optional<FoundSymmetric>& best,
+              SeamReport& report) const {
     FoundSymmetric now;
     now.seams = found.search.finish();
     now.report = found.report;
+    report.cancelled = report.cancelled || now.report.cancelled;
     now.price = priceOf(mesh_, now.seams, now.report.scale);
     if (mirroredShare(mesh_, mirror_, now.seams) < kSymmetric) return;
     if (!best || now.price < best->price) best = std::move(now);
