@@ -217,8 +217,7 @@ function prisms() {
 function letters() {
   const letter = (name, polygon, options) =>
     shape(`letter ${name}`, extruded(polygon, 0.4, options), {
-      // A band round the outline may be cut, to be no longer than the letter is wide.
-      charts: [1, 6],
+      charts: [1, options ? 4 : 3],
       sd: UNROLLED,
       level: options ? 0.4 : 0.99,
       isSeam: isCrease,
@@ -244,7 +243,7 @@ function letters() {
     shape(
       'letter O',
       grid(ring, [0, 0.4, 1.6, 2], [0, 0.4], (x, y) => x !== 1 || y !== 1),
-      rightAngled(6),
+      rightAngled(4),
     ),
   ];
 }

@@ -12,7 +12,7 @@ namespace abflat {
 namespace {
 
 constexpr double kMostBend = 80 * kPi / 180;  // right angles stay cut
-constexpr double kMostBendOfStep = 100 * kPi / 180;
+constexpr double kMostBendOfStep = 100 * kPi / 180;  // where edges are fine
 constexpr double kSameBend = 1e-6;     // radians; far above rounding
 constexpr std::size_t kMostFaces = 4;  // that traverse an edge in one direction
 

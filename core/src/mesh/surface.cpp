@@ -99,12 +99,13 @@ std::int64_t cutEulerCharacteristic(const Surface& s) {
 
 }  // namespace
 
-Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse, double fine) {
+Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse, const FineLength& fineOf) {
   Surface s;
   s.triangulation = triangulate(mesh, pulse);
   if (pulse.isStopped()) return {};
   s.table = buildCornerTable(s.triangulation, mesh.vertexCount(), pulse);
-  joinStraightPairs(mesh.positions, fine, s.table);
+  if (!s.table.nonManifold.empty())
+    joinStraightPairs(mesh.positions, fineOf ? fineOf(s.table) : 0, s.table);
   // Each of the following passes takes some ten nanoseconds per triangle.
   if (!pulse.beat(s.table.vertex.size())) return {};
   s.fans = findFans(s.table, mesh.vertexCount());

@@ -157,11 +157,10 @@ class SymmetricFinder {
 
   bool isPreferable(const FoundSymmetric& found, const Seams& seams,
                     const SeamReport& report) const {
-    // Prices are less sure than lengths.
-    constexpr double kMore = 1.1, kMorePrice = 1.25, kMoreCharts = 1.25;
+    constexpr double kMore = 1.1, kMoreCharts = 1.25;
     constexpr std::uint32_t kPair = 2;
     const std::pair<double, double> now = lengthsOf(found.seams), before = lengthsOf(seams);
-    return found.price <= kMorePrice * priceOf(mesh_, seams, report.scale) &&
+    return found.price <= kMore * priceOf(mesh_, seams, report.scale) &&
            now.first <= kMore * before.first && now.second <= before.second &&
            found.report.charts <=
                std::max<double>(kMoreCharts * report.charts, report.charts + kPair);

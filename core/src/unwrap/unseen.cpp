@@ -14,25 +14,26 @@ namespace {
 
 constexpr double kUnseenTexels = 2;
 
-double texelOn(const WeldedMesh& welded, const Surface& surface, const UnwrapOptions& options,
+/// Length of a texel on the surface, in units of the welded mesh.
+double texelOn(const WeldedMesh& welded, const CornerTable& table, const UnwrapOptions& options,
                double unit) {
   LongSum area;
-  for (const SurfaceTriangle f : surface.table.triangles())
-    area.add(areaOf(welded.mesh.positions, verticesOf(surface.table.vertex, f)));
+  for (const SurfaceTriangle f : table.triangles())
+    area.add(areaOf(welded.mesh.positions, verticesOf(table.vertex, f)));
   return 1 / expectedDensity(options, area.value(), unit);
 }
 
 }  // namespace
 
-double fineLength(const WeldedMesh& welded, const Surface& surface, const UnwrapOptions& options,
+double fineLength(const WeldedMesh& welded, const CornerTable& table, const UnwrapOptions& options,
                   double unit) {
   constexpr double kFineTexels = 8;
-  return kFineTexels * texelOn(welded, surface, options, unit);
+  return kFineTexels * texelOn(welded, table, options, unit);
 }
 
 Smoothed withoutUnseen(const WeldedMesh& welded, const Surface& surface,
                        const UnwrapOptions& options, double unit, const Pulse& pulse) {
-  const double reach = kUnseenTexels * texelOn(welded, surface, options, unit);
+  const double reach = kUnseenTexels * texelOn(welded, surface.table, options, unit);
   return smoothNoise(welded.mesh, surface, reach, pulse);
 }
 

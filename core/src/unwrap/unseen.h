@@ -13,7 +13,7 @@ namespace abflat {
 
 /// Edges that are shorter, in units of the welded mesh, are so fine that steps of the surface bend
 /// them at random.
-double fineLength(const WeldedMesh& welded, const Surface& surface, const UnwrapOptions& options,
+double fineLength(const WeldedMesh& welded, const CornerTable& table, const UnwrapOptions& options,
                   double unit);
 
 /// The surface without steps and grain that the texels of the atlas cannot show, which would cost

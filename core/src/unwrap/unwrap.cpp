@@ -133,9 +133,10 @@ class Unwrapping {
   void weldAndSee(const PolygonMesh& mesh, bool byPosition, const VertexPairs& joined,
                   const Pulse& pulse) {
     if (!pulse.isStopped()) welded_ = weld(mesh, byPosition, pulse, joined);
-    if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
-    if (pulse.isStopped() || surface_.table.nonManifold.empty()) return;
-    surface_ = buildSurface(welded_.mesh, pulse, fineLength(welded_, surface_, options_, unit_));
+    if (pulse.isStopped()) return;
+    surface_ = buildSurface(welded_.mesh, pulse, [this](const CornerTable& table) {
+      return fineLength(welded_, table, options_, unit_);
+    });
   }
 
   Status cut() {

@@ -150,7 +150,7 @@ struct Across {
   int fold = 0, fin = 0;
 };
 Across across(const PolygonMesh& mesh, double fine) {
-  const Surface s = buildSurface(mesh, {}, fine);
+  const Surface s = buildSurface(mesh, {}, [fine](const CornerTable&) { return fine; });
   REQUIRE(s.table.nonManifold.size() == kLong);
   const auto placeOf = [&](SurfaceCorner h) {
     const SurfaceTriangle f = triangleOf(h);
@@ -183,7 +183,7 @@ TEST_CASE("at fine edges a surface goes on around a step, and what ends there is
 
 TEST_CASE("where all surfaces end soon, fine edges are like others") {
   for (const PolygonMesh& mesh : {strips({0}, {180, 90}), strips({0, 90}, {180, 270})}) {
-    const Surface coarse = buildSurface(mesh), fine = buildSurface(mesh, {}, 10);
+    const Surface coarse = buildSurface(mesh), fine = buildSurface(mesh, {}, [](const CornerTable&) { return 10.0; });
     CHECK(fine.table.twin == coarse.table.twin);
   }
 }
