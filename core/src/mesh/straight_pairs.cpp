@@ -11,10 +11,10 @@
 namespace abflat {
 namespace {
 
-constexpr double kMostBend = 80 * kPi / 180;  // right angles stay cut
+constexpr double kMostBend = 80 * kPi / 180;         // right angles stay cut
 constexpr double kMostBendOfStep = 100 * kPi / 180;  // where edges are fine
-constexpr double kSameBend = 1e-6;     // radians; far above rounding
-constexpr std::size_t kMostFaces = 4;  // that traverse an edge in one direction
+constexpr double kSameBend = 1e-6;                   // radians; far above rounding
+constexpr std::size_t kMostFaces = 4;                // that traverse an edge in one direction
 
 /// A half-edge at the edge, and where its triangle lies: a unit vector at right angles to the edge.
 struct Leaf {

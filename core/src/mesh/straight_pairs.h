@@ -11,8 +11,8 @@ namespace abflat {
 /// between which nothing but their numbers could decide, stay cut.
 ///
 /// At an edge shorter than `fine`, the bend may be that of a step. If only two of its faces belong
-/// to surfaces that do not end within a few triangles, these are joined, unless they bend by more than
-/// 100 degrees.
+/// to surfaces that do not end within a few triangles, these are joined, unless they bend by more
+/// than 100 degrees.
 void joinStraightPairs(const std::vector<double>& positions, double fine, CornerTable& table);
 
 }  // namespace abflat

@@ -37,8 +37,7 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
                 const RectifyOptions& how, double density, FlatChart& flat) {
   IdVector<ChartVertex, ChartVertex> former;
   const DiskChart ordered = set.chartInOrder(i, former);
-  Rectified found =
-      rectified(ordered, inChartUnit(ordered, inOrder(flat.unpacked, former)), how);
+  Rectified found = rectified(ordered, inChartUnit(ordered, inOrder(flat.unpacked, former)), how);
   if (found.uv.empty()) return;
   for (double& x : found.uv) x *= ordered.unit;
   std::vector<double> places = inFormerOrder(found.uv, former);
@@ -57,8 +56,8 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
 
 }  // namespace
 
-void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool, const std::function<bool()>& goesOn,
-                LaidCharts& charts) {
+void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool,
+                const std::function<bool()>& goesOn, LaidCharts& charts) {
   const bool isFree = options.t == kAutoT && !options.straightSeams && options.balance > 0;
   if (options.rectify == Rectify::Never || !isFree) return;
   RectifyOptions how;

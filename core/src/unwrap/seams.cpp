@@ -326,8 +326,8 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Unw
 }
 
 Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
-                  const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
-                  OpenSurface& open) {
+                     const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                     OpenSurface& open) {
   const auto isAsked = [](const Stretched& chart) { return chart.stretch > 0; };
   if (std::none_of(charts.begin(), charts.end(), isAsked)) return Further::Nothing;
   const CutSurface s = cutAlong(open.mesh, open.seams);

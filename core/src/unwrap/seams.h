@@ -69,8 +69,8 @@ enum class Further : std::uint8_t {
 /// Cuts charts further that are invalid or stretched by more than `options.maxStretch`. New seams
 /// start from those found before, with a prediction corrected by the actual stretch.
 Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
-                  const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
-                  OpenSurface& open);
+                     const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                     OpenSurface& open);
 
 /// Splits charts in two, whatever is predicted, and adds those to `isWhole` that cannot be split.
 /// False if none can be.

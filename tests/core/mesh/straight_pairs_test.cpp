@@ -183,7 +183,8 @@ TEST_CASE("at fine edges a surface goes on around a step, and what ends there is
 
 TEST_CASE("where all surfaces end soon, fine edges are like others") {
   for (const PolygonMesh& mesh : {strips({0}, {180, 90}), strips({0, 90}, {180, 270})}) {
-    const Surface coarse = buildSurface(mesh), fine = buildSurface(mesh, {}, [](const CornerTable&) { return 10.0; });
+    const Surface coarse = buildSurface(mesh),
+                  fine = buildSurface(mesh, {}, [](const CornerTable&) { return 10.0; });
     CHECK(fine.table.twin == coarse.table.twin);
   }
 }
