@@ -60,11 +60,12 @@ class Polygon {
 
   Directions directions() {
     const BoundaryIndex first = start();
+    const std::uint8_t begin = nearest(first);
     std::array<double, 4> cost;
     cost.fill(std::numeric_limits<double>::infinity());
-    cost[static_cast<std::size_t>(nearest(first))] = 0;
-    const std::uint8_t begin = nearest(first);
-    for (BoundaryIndex i = chart_.after(first); i != first; i = chart_.after(i)) cost = step(i, cost);
+    cost[begin] = 0;
+    for (BoundaryIndex i = chart_.after(first); i != first; i = chart_.after(i))
+      cost = step(i, cost);
     closeTo(begin, cost);
     return trace(first, begin);
   }
@@ -148,11 +149,22 @@ class Polygon {
   std::uint8_t last_ = 0;
 };
 
-/// Whether triangles keep their area when the run is straight.
-bool mayBeStraight(const DiskChart& chart, const LevelRun& run) {
+/// Leaves out the runs that cannot be straight because a triangle would lose its area.
+std::vector<LevelRun> withoutChords(const DiskChart& chart, std::vector<LevelRun> runs) {
   StraightPlaces straight(chart.boundary.size(), 0);
-  for (BoundaryIndex i = chart.after(run.from); i != run.to; i = chart.after(i)) straight[i] = 1;
-  return flatChords(chart, straight).empty();
+  IdVector<BoundaryIndex, std::size_t> runAt(chart.boundary.size(), runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (BoundaryIndex i = chart.after(runs[k].from); i != runs[k].to; i = chart.after(i)) {
+      straight[i] = 1;
+      runAt[i] = k;
+    }
+  std::vector<std::uint8_t> isFree(runs.size(), 1);
+  for (const FlatChord& chord : flatChords(chart, straight))
+    isFree[runAt[chart.after(chord.from)]] = 0;
+  std::vector<LevelRun> out;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (isFree[k]) out.push_back(runs[k]);
+  return out;
 }
 
 struct Deviations {
@@ -194,11 +206,11 @@ LevelRuns findLevelRuns(const DiskChart& chart, const std::vector<double>& uv) {
     while (directions[run.to] == directions[i]) run.to = chart.after(run.to);
     const Deviations own = deviationsOf(chart, sides, directions, run);
     out.before += own.before / length;
-    if (own.square > kMostDeviation * kMostDeviation * own.length) continue;
-    if (!mayBeStraight(chart, run)) continue;
-    out.share += own.length / length;
-    out.runs.push_back(run);
+    if (own.square <= kMostDeviation * kMostDeviation * own.length) out.runs.push_back(run);
   }
+  out.runs = withoutChords(chart, std::move(out.runs));
+  for (const LevelRun& run : out.runs)
+    out.share += deviationsOf(chart, sides, directions, run).length / length;
   return out;
 }
 

@@ -32,7 +32,8 @@ std::vector<LevelEdge> edgesOf(const DiskChart& chart, const std::vector<LevelRu
     }
   // So that tiny edges are not stiff beyond what numbers can tell.
   constexpr double kShortest = 1e-4;
-  const double least = kShortest * length / static_cast<double>(std::max<std::size_t>(out.size(), 1));
+  const double least =
+      kShortest * length / static_cast<double>(std::max<std::size_t>(out.size(), 1));
   for (LevelEdge& edge : out) edge.length = std::max(edge.length, least);
   return out;
 }
@@ -79,8 +80,8 @@ Rectified rectified(const DiskChart& chart, const std::vector<double>& uv,
     now = refine(chart, std::move(now), refining).uv;
   }
   level(chart, found.runs, now);
-  if (!checkSeparated(chart, now).valid()) return {};
   fitArea(chart, now);
+  if (!checkSeparated(chart, now).valid()) return {};
   return {std::move(now), found.share - found.before};
 }
 

@@ -52,6 +52,8 @@ void matchGroup(const Triangulation& t, const EdgeEnd* first, const EdgeEnd* las
   bad.faceCount = count;
   bad.faces = {t.face[triangleOf(h0)], t.face[triangleOf(h1)]};
   (count == 2 ? table.misoriented : table.nonManifold).push_back(bad);
+  if (count == 2) return;
+  for (const EdgeEnd* end = first; end != last; ++end) table.nonManifoldCorners.push_back(end->h);
 }
 
 /// A diagonal's twin lies in the same face, whose triangles are consecutive.

@@ -13,14 +13,18 @@ namespace abflat {
 struct BadEdge {
   InputVertex v0, v1;
   std::uint32_t faceCount = 0;
+  std::uint32_t pairs = 0;  ///< of its faces that are joined
   std::array<PolygonFace, 2> faces;
 };
 
-/// Connectivity of a triangulation. Bad edges have no twins: the surface is cut open along them.
+/// Connectivity of a triangulation. Bad edges have no twins, so the surface is cut open along them,
+/// unless some of their faces are joined.
 struct CornerTable {
   IdVector<SurfaceCorner, InputVertex> vertex;
   IdVector<SurfaceCorner, SurfaceCorner> twin;  ///< opposite half-edge, none on the boundary
   std::vector<BadEdge> nonManifold;             ///< more than two faces
+  std::vector<SurfaceCorner>
+      nonManifoldCorners;            ///< half-edges of each of these, one after another
   std::vector<BadEdge> misoriented;  ///< two faces that traverse it in the same direction
 
   IdRange<SurfaceTriangle> triangles() const { return IdRange<SurfaceTriangle>(vertex.size() / 3); }

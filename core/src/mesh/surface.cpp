@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mesh/straight_pairs.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -98,11 +99,13 @@ std::int64_t cutEulerCharacteristic(const Surface& s) {
 
 }  // namespace
 
-Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse) {
+Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse, const FineLength& fineOf) {
   Surface s;
   s.triangulation = triangulate(mesh, pulse);
   if (pulse.isStopped()) return {};
   s.table = buildCornerTable(s.triangulation, mesh.vertexCount(), pulse);
+  if (!s.table.nonManifold.empty())
+    joinStraightPairs(mesh.positions, fineOf ? fineOf(s.table) : 0, s.table);
   // Each of the following passes takes some ten nanoseconds per triangle.
   if (!pulse.beat(s.table.vertex.size())) return {};
   s.fans = findFans(s.table, mesh.vertexCount());
@@ -123,17 +126,20 @@ Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse) {
   m.orientationConflicts = s.table.misoriented.size();
   m.degenerateFaces = countDegenerate(mesh, s.triangulation);
 
-  std::int64_t doubledHalfEdges = 0;  // half-edges of bad edges beyond the first
+  std::int64_t openHalfEdges = 0, pairs = 0;  // of bad edges
   for (const auto* list : {&s.table.nonManifold, &s.table.misoriented})
-    for (const BadEdge& e : *list) doubledHalfEdges += e.faceCount;
+    for (const BadEdge& e : *list) {
+      openHalfEdges += e.faceCount - 2 * e.pairs;
+      pairs += e.pairs;
+    }
   std::size_t unpaired = 0;
   for (const SurfaceCorner twin : s.table.twin) unpaired += !twin.exists();
-  m.boundaryEdges = unpaired - static_cast<std::size_t>(doubledHalfEdges);
+  m.boundaryEdges = unpaired - static_cast<std::size_t>(openHalfEdges);
   const auto bad = static_cast<std::int64_t>(m.nonManifoldEdges + m.orientationConflicts);
   const std::int64_t cutChi = cutEulerCharacteristic(s);
   m.eulerCharacteristic = cutChi -
                           static_cast<std::int64_t>(s.fans.inputVertex.size() - referenced) +
-                          (doubledHalfEdges - bad);
+                          (openHalfEdges + pairs - bad);
   m.genus = bad > 0 ? -1
                     : (2 * static_cast<std::int64_t>(m.components) -
                        static_cast<std::int64_t>(m.boundaryLoops) - cutChi) /

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "abflat/inspect.h"
 #include "mesh/corner_table.h"
 #include "mesh/topology.h"
@@ -17,8 +19,11 @@ struct Surface {
 };
 
 /// Never fails on a mesh that passes validateArrays; summary.disk says whether it can be flattened.
-/// The result is unusable if the pulse has stopped.
-Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse = {});
+/// The result is unusable if the pulse has stopped. `fineOf`: tells the length for
+/// joinStraightPairs; if empty, it is 0.
+using FineLength = std::function<double(const CornerTable&)>;
+Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse = {},
+                     const FineLength& fineOf = {});
 
 /// As without a pulse; the result is unusable if the pulse has stopped.
 MeshSummary inspect(const PolygonMesh& mesh, const Pulse& pulse);

@@ -69,6 +69,10 @@ inline Vec3 areaVector(const std::vector<Vec3>& p) {
   return sum;
 }
 
+inline double areaOf(const std::vector<double>& positions, const TriangleVertices& v) {
+  return norm(cross(edgeVector(positions, v[0], v[1]), edgeVector(positions, v[0], v[2]))) / 2;
+}
+
 /// Unit vectors from corner k to the next, for coordinates of any magnitude; false if two corners
 /// coincide.
 inline bool unitEdges(const std::vector<double>& positions, const TriangleVertices& v,

@@ -8,6 +8,7 @@
 #include "mesh/corner_table.h"
 #include "mesh/face_walk.h"
 #include "mesh/open_corners.h"
+#include "mesh/repeated_faces.h"
 #include "mesh/triangle_geometry.h"
 #include "mesh/weld.h"
 #include "mesh/weld_edges.h"
@@ -15,72 +16,21 @@
 namespace abflat {
 namespace {
 
-/// Finds faces that have the same vertices.
-class Repetitions {
- public:
-  Repetitions(const PolygonMesh& mesh, const Pulse& pulse) : mesh_(mesh) {
-    layer_.assign(mesh.faceCount(), 0);
-    original_.assign(mesh.faceCount(), kNone);
-    std::vector<Key> keys(mesh.faceCount());
-    for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) keys[f] = {hash(f), f};
-    if (pulse.isStopped()) return;
-    std::sort(keys.begin(), keys.end());
-    for (std::size_t i = 1; i < keys.size() && pulse.beat(); ++i)
-      for (std::size_t j = i; j-- > 0 && keys[j].first == keys[i].first;)
-        if (repeats(keys[i].second, keys[j].second)) break;
-  }
-  /// Number of earlier faces with the same vertices.
-  std::uint32_t layer(std::uint32_t f) const { return layer_[f]; }
-  /// The first of them, or kNone.
-  std::uint32_t original(std::uint32_t f) const { return original_[f]; }
-
- private:
-  using Key = std::pair<std::uint64_t, std::uint32_t>;
-
-  /// Does not depend on the order of the vertices.
-  std::uint64_t hash(std::uint32_t f) const {
-    std::uint64_t sum = 0;
-    for (std::uint32_t c = mesh_.faceOffsets[f]; c < mesh_.faceOffsets[f + 1]; ++c) {
-      std::uint64_t x = (mesh_.faceVertices[c] + 1) * 0x9e3779b97f4a7c15u;
-      x = (x ^ x >> 29) * 0xbf58476d1ce4e5b9u;
-      sum += x ^ x >> 32;
-    }
-    return sum;
-  }
-
-  std::vector<std::uint32_t> sorted(std::uint32_t f) const {
-    std::vector<std::uint32_t> v(mesh_.faceVertices.begin() + mesh_.faceOffsets[f],
-                                 mesh_.faceVertices.begin() + mesh_.faceOffsets[f + 1]);
-    std::sort(v.begin(), v.end());
-    return v;
-  }
-
-  /// Must be called for faces in order: the first earlier face found is the last one that f
-  /// repeats.
-  bool repeats(std::uint32_t f, std::uint32_t earlier) {
-    if (sorted(f) != sorted(earlier)) return false;
-    layer_[f] = layer_[earlier] + 1;
-    original_[f] = original_[earlier] == kNone ? earlier : original_[earlier];
-    return true;
-  }
-
-  const PolygonMesh& mesh_;
-  std::vector<std::uint32_t> layer_, original_;
-};
-
 /// Gives faces that repeat others their own vertices: one for each vertex and layer.
 void separateLayers(const Pulse& pulse, WeldedMesh& out) {
-  const Repetitions repetitions(out.mesh, pulse);
+  const RepeatedFaces repeated = findRepeated(out.mesh, pulse);
+  if (pulse.isStopped()) return;
   struct Copy {
     std::uint32_t vertex, layer, corner;
   };
   std::vector<Copy> copies;
+  const auto inputFace = [&](std::uint32_t face) { return out.inputFace[PolygonFace(face)]; };
   for (std::uint32_t f = 0; f < out.mesh.faceCount(); ++f) {
-    if (repetitions.layer(f) == 0) continue;
-    const auto inputFace = [&](std::uint32_t face) { return out.inputFace[PolygonFace(face)]; };
-    out.duplicateFaces.push_back({inputFace(f), inputFace(repetitions.original(f))});
+    if (repeated.original[f] != kNone)
+      out.duplicateFaces.push_back({inputFace(f), inputFace(repeated.original[f])});
+    if (repeated.layer[f] == 0) continue;
     for (std::uint32_t c = out.mesh.faceOffsets[f]; c < out.mesh.faceOffsets[f + 1]; ++c)
-      copies.push_back({out.mesh.faceVertices[c], repetitions.layer(f), c});
+      copies.push_back({out.mesh.faceVertices[c], repeated.layer[f], c});
   }
   sortStably(copies, [](const Copy& a, const Copy& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex

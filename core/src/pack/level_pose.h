@@ -7,9 +7,9 @@ namespace abflat {
 /// How a shape should lie, and what speaks for it.
 struct LevelPose {
   Pose pose;
-  bool isLevel = false;    ///< straight edges of its outline lie along u and v
-  bool isStraight = false; ///< so does most of its outline
-  bool isUpright = false;  ///< its up direction decided
+  bool isLevel = false;     ///< straight edges of its outline lie along u and v
+  bool isStraight = false;  ///< so does most of its outline
+  bool isUpright = false;   ///< its up direction decided
 };
 
 /// Turns straight edges of a shape's outline along u and v, and `up` towards +v. `up` is the image

@@ -266,7 +266,6 @@ double longestSide(const std::vector<PackItem>& items) {
 double untidiness(const PackItem& item, std::size_t pose) {
   constexpr double kUpsideDown = 0.5;
   const std::size_t quarter = item.poses.perQuarter();
-  pose = item.poses.kept(pose);
   if (pose % quarter != 0) return item.isLevel || item.isUpright ? 1 : 0;
   if (pose == 0 || !item.isUpright) return 0;
   return pose == 2 * quarter ? kUpsideDown : 1;

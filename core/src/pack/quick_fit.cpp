@@ -16,7 +16,10 @@ constexpr double kAnyArea = std::numeric_limits<double>::infinity();
 }  // namespace
 
 QuickFit::QuickFit(int resolution, int padding, Rotate rotate, int cells)
-    : poses_(rotate == Rotate::None ? 1 : rotate == Rotate::Quarter ? 4 : 8), rotate_(rotate) {
+    : poses_(rotate == Rotate::None      ? 1
+             : rotate == Rotate::Quarter ? 4
+                                         : 8),
+      rotate_(rotate) {
   grid_ = makePackGrid(resolution, padding, 1);
   grid_.cell = std::max(std::min(resolution / cells, resolution - 2 * grid_.border), 1);
 }

@@ -83,8 +83,8 @@ class Refiner {
     isSimple_ = isSimple(uv_);
     if (std::isfinite(energy_)) iterate();
     out_.energy = layoutEnergy(chart_, rest_, options_.balance, uv_, options_.pool);
-    const bool isBetter = springs_.isEmpty() ? out_.energy < out_.energyBefore
-                                             : energy_ < out_.energyBefore;
+    const bool isBetter =
+        springs_.isEmpty() ? out_.energy < out_.energyBefore : energy_ < out_.energyBefore;
     if (!isBetter) {
       out_.energy = out_.energyBefore;
       uv_ = start;

@@ -55,20 +55,25 @@ IdVector<CutChartId, Component> measure(const SeamMesh& mesh, const CutSurface& 
     component.curvature += curvature;
     if (!isOnCrease[i]) component.elsewhere += curvature;
   }
-  for (const CutSurface::Chart& patch : cutAlong(mesh, creases).charts)
+  Seams all = creases;
+  for (const SurfaceCorner h : all.ids())
+    all[h] = all[h] || (mesh.twin[h].exists() && !whole.twin[h].exists());
+  for (const CutSurface::Chart& patch : cutAlong(mesh, all).charts)
     ++out[whole.chartOfTriangle[patch.firstTriangle]].patches;
   return out;
 }
 
 }  // namespace
 
-Seams creasesToBegin(const SeamMesh& mesh, const CutSurface& whole) {
+Seams creasesToBegin(const SeamMesh& mesh, const CutSurface& whole, double leastArea) {
   Seams out = allCreases(mesh);
   const IdVector<CutChartId, Component> components = measure(mesh, whole, out);
   bool isAny = false;
   for (const SurfaceCorner h : out.ids()) {
     const CutChartId c = whole.chartOf(h);
-    out[h] = out[h] && components[c].isWorthIt(whole.charts[c]);
+    const CutSurface::Chart& chart = whole.charts[c];
+    out[h] = out[h] && whole.twin[h].exists() && chart.area >= leastArea &&
+             components[c].isWorthIt(chart);
     isAny = isAny || out[h];
   }
   return isAny ? out : Seams();

@@ -7,6 +7,7 @@
 #include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/seam_value.h"
+#include "seam/symmetric_seams.h"
 
 namespace abflat {
 namespace {
@@ -25,16 +26,8 @@ class SeamFairer {
       : work_(work), mesh_(work.mesh), u_(work.u), seams_(work.seams), cost_(mesh_.cost) {
     constexpr float kWidth = 0.17f;
     for (const std::uint8_t isKept : work.kept) width_.push_back(isKept ? 0 : kWidth);
-    const double unseen = work.options.prices.unseen;
-    if (unseen == 0) return;
-    const IdVector<SurfaceTriangle, double> hidden = occlusion(mesh_, pulse_);
-    for (const SurfaceCorner h : cost_.ids()) {
-      const SurfaceCorner o = mesh_.twin[h];
-      if (!o.exists()) continue;
-      const double share = (hidden[triangleOf(h)] + hidden[triangleOf(o)]) / 2;
-      const double cost = cost_[h] - unseen * share * mesh_.length[h];
-      cost_[h] = std::max(kLeastCost * mesh_.length[h], cost);
-    }
+    if (work.options.prices.unseen > 0) preferHidden(work.options.prices.unseen);
+    if (work.options.mirror) keepToOneSide();
   }
 
   bool run() {
@@ -44,6 +37,7 @@ class SeamFairer {
     for (int left = kRounds; left > 0 && pulse_.beat(); --left) {
       Seams now = seams_;
       if (!fairPaths(mesh_, cost_, width_, now, pulse_)) return false;
+      if (const Mirror& mirror = work_.options.mirror) now = mirrored(mesh_, mirror, now, 1);
       const CutSurface after = cutAlong(mesh_, now, pulse_);
       LogScales u = work_.scale.solve(after, {});
       if (u.empty() || after.charts.size() != before.charts.size()) return false;
@@ -62,6 +56,28 @@ class SeamFairer {
   }
 
  private:
+  void preferHidden(double unseen) {
+    const IdVector<SurfaceTriangle, double> hidden = occlusion(mesh_, pulse_);
+    for (const SurfaceCorner h : cost_.ids()) {
+      const SurfaceCorner o = mesh_.twin[h];
+      if (!o.exists()) continue;
+      const double share = (hidden[triangleOf(h)] + hidden[triangleOf(o)]) / 2;
+      const double cost = cost_[h] - unseen * share * mesh_.length[h];
+      cost_[h] = std::max(kLeastCost * mesh_.length[h], cost);
+    }
+  }
+
+  /// Seams are redrawn on one side of the plane only, and mirrored. What has no image moves freely.
+  void keepToOneSide() {
+    const Mirror& mirror = work_.options.mirror;
+    for (const SurfaceCorner h : mesh_.corners()) {
+      if (!mirror.hasImage(h)) continue;
+      if (mirror.sideOf(mesh_, h) != 1) width_[h] = 0;
+      if (std::min(mirror.side[mesh_.tail(h)], mirror.side[mesh_.head(h)]) < 0)
+        cost_[h] = kBarredCost;
+    }
+  }
+
   /// Whether shorter seams cost more by what they stretch.
   bool isDearer(const CutSurface& before, const Prediction& was, const CutSurface& after,
                 const Prediction& told, const Seams& now) const {

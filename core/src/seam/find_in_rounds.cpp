@@ -9,12 +9,14 @@
 #include "seam/extract_charts.h"
 #include "seam/fair_seams.h"
 #include "seam/log_scale.h"
+#include "seam/make_symmetric.h"
 #include "seam/merge_charts.h"
 #include "seam/prediction.h"
 #include "seam/shorten_seams.h"
 #include "seam/slits.h"
 #include "seam/split_charts.h"
 #include "seam/stretched_holes.h"
+#include "seam/symmetric_seams.h"
 
 namespace abflat {
 namespace {
@@ -47,9 +49,9 @@ std::vector<SurfaceVertex> verticesOfTwo(const SeamMesh& mesh) {
   return out;
 }
 
-/// Cuts in rounds. A chart that a round leaves unchanged is done; the rounds continue with only the
-/// others as soon as they make up much less than the whole.
-class Finder {
+}  // namespace
+
+class SeamSearch::Finder {
  public:
   Finder(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport& report)
       : whole_(mesh),
@@ -59,18 +61,25 @@ class Finder {
         options_(options),
         report_(report) {}
 
-  Seams run();
+  void join();
+  Seams finish();
+  const Seams& joined() const { return result_; }
+  const LogScales& scale() const { return u_; }
 
  private:
   void analyse();
+  void begin();
+  void cutInRounds();
   void open();
   void openBetweenTwo();
   bool improve();
   CutSurface cut();
   void slit(const CutPaths& paths, const LogScales& u);
   IdVector<CutChartId, SplitFor> splitsAsked(const CutSurface& s) const;
+  void cutImages(const CutSurface& s, const Seams& before);
   bool finishUnchanged(const CutSurface& s);
   void handBack();
+  SeamWork work() { return {whole_, given_, options_, *scale_, u_, result_}; }
   bool isWhole() const { return mesh_ == &whole_; }
   SurfaceCorner toWhole(SurfaceCorner h) const { return isWhole() ? h : part_.wholeHalfEdge[h]; }
   /// Whether the chart is still a disk as given, with all of its triangles and no edge used twice.
@@ -104,7 +113,7 @@ class Finder {
   IdVector<CutChartId, std::uint8_t> isChanged_;  ///< in the current round
 };
 
-void Finder::analyse() {
+void SeamSearch::Finder::analyse() {
   Stopwatch watch;
   EliminationRanks& known = report_.eliminationRanks;
   EliminationRanks ranks;
@@ -117,7 +126,7 @@ void Finder::analyse() {
   report_.analysisSeconds += watch.lap();
 }
 
-void Finder::open() {
+void SeamSearch::Finder::open() {
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   givenCharts_ = s.charts;
   givenChartOf_ = s.chartOfTriangle;
@@ -136,7 +145,7 @@ void Finder::open() {
 }
 
 /// Cuts to vertices where two triangles meet, so that these need not lie on top of each other.
-void Finder::openBetweenTwo() {
+void SeamSearch::Finder::openBetweenTwo() {
   const std::vector<SurfaceVertex> ends = verticesOfTwo(whole_);
   if (ends.empty()) return;
   const CutSurface s = cutAlong(whole_, result_, pulse_);
@@ -146,14 +155,14 @@ void Finder::openBetweenTwo() {
       markPath(whole_, forest, v, result_);
 }
 
-CutSurface Finder::cut() {
+CutSurface SeamSearch::Finder::cut() {
   CutSurface s = cutAlong(*mesh_, seams_, pulse_);
   return openTouchedHoles(*mesh_, s, options_.fillHoles, seams_) ? cutAlong(*mesh_, seams_, pulse_)
                                                                  : s;
 }
 
 /// Adds slits: towards the peaks with automatic seams, otherwise towards the costliest holes.
-void Finder::slit(const CutPaths& paths, const LogScales& u) {
+void SeamSearch::Finder::slit(const CutPaths& paths, const LogScales& u) {
   const CutSurface& s = paths.surface;
   const std::vector<OpenVertex> ends =
       options_.isAuto ? slitEnds(paths, prediction_, u, options_.maxStretch)
@@ -166,7 +175,7 @@ void Finder::slit(const CutPaths& paths, const LogScales& u) {
   }
 }
 
-IdVector<CutChartId, SplitFor> Finder::splitsAsked(const CutSurface& s) const {
+IdVector<CutChartId, SplitFor> SeamSearch::Finder::splitsAsked(const CutSurface& s) const {
   constexpr double kTellsNothing = 1.5;  // stretch above which the outline is unreliable
   IdVector<CutChartId, SplitFor> asked(s.charts.size(), SplitFor::Nothing);
   if (!options_.isAuto) return asked;
@@ -178,7 +187,7 @@ IdVector<CutChartId, SplitFor> Finder::splitsAsked(const CutSurface& s) const {
 }
 
 /// False if no chart was changed.
-bool Finder::improve() {
+bool SeamSearch::Finder::improve() {
   Stopwatch watch;
   const CutSurface s = cut();
   const LogScales u = scale_->solve(s, {});
@@ -199,17 +208,26 @@ bool Finder::improve() {
                        prediction_.stretch[c] > options_.maxStretch);
   const PathForest forest = findPaths(*mesh_, s, {}, isWanted, pulse_);
   const CutPaths paths{*mesh_, s, forest};
+  const Seams before = options_.mirror ? seams_ : Seams();
   slit(paths, u);
   pulse_.beat(mesh_->triangleCount());
   report_.splits += splitByShape(paths, u, shape, split, seams_, pulse_);
   for (const CutChartId c : s.charts.ids())
     if (split.asked[c] != SplitFor::Nothing) isChanged_[c] = 1;
+  if (options_.mirror) cutImages(s, before);
   return finishUnchanged(s);
+}
+
+/// Cuts charts like their mirror images.
+void SeamSearch::Finder::cutImages(const CutSurface& s, const Seams& before) {
+  const Mirror mirror = isWhole() ? options_.mirror : options_.mirror.ofPart(part_);
+  for (const SurfaceCorner h : addImages(*mesh_, mirror, before, seams_, pulse_))
+    isChanged_[s.chartOf(h)] = 1;
 }
 
 /// Hands back finished charts and, if the rest is much smaller, continues on the rest as a part of
 /// its own. False if all is done.
-bool Finder::finishUnchanged(const CutSurface& s) {
+bool SeamSearch::Finder::finishUnchanged(const CutSurface& s) {
   std::size_t changed = 0;
   for (const CutChartId c : s.charts.ids())
     if (isChanged_[c]) changed += s.charts[c].triangles;
@@ -229,16 +247,20 @@ bool Finder::finishUnchanged(const CutSurface& s) {
   return true;
 }
 
-void Finder::handBack() {
+void SeamSearch::Finder::handBack() {
   for (const SurfaceCorner h : seams_.ids())
     if (seams_[h]) result_[toWhole(h)] = 1;
 }
 
-Seams Finder::run() {
-  analyse();
+void SeamSearch::Finder::begin() {
   for (const SurfaceCorner h : options_.first.ids())
     if (options_.first[h] && whole_.twin[h].exists()) result_[h] = 1;
+  const Seams before = result_;
   open();
+  if (options_.mirror) addImages(whole_, options_.mirror, before, result_, pulse_);
+}
+
+void SeamSearch::Finder::cutInRounds() {
   seams_ = result_;
   u_.assign(whole_.vertexCount(), 0);
   constexpr int kMostRounds = 40;
@@ -251,20 +273,36 @@ Seams Finder::run() {
   handBack();
   if (!whole_.hole.empty())
     openTouchedHoles(whole_, cutAlong(whole_, result_, pulse_), options_.fillHoles, result_);
+}
+
+void SeamSearch::Finder::join() {
+  analyse();
+  begin();
+  cutInRounds();
   Stopwatch watch;
-  if (options_.isAuto && goesOn() && !isWhole()) {
+  if (!options_.isAuto || !goesOn()) return;
+  if (!isWhole()) {
     mesh_ = &whole_;
     part_ = SeamPart();
     analyse();
   }
-  const SeamWork work{whole_, given_, options_, *scale_, u_, result_};
   // Slits and splits are added one by one where needed; together they may be more than needed.
-  if (options_.isAuto && goesOn()) report_.merges = mergeCharts(work);
-  const bool isSolved = options_.isAuto && goesOn() && fairSeams(work);
+  report_.merges = mergeCharts(work());
+  makeSymmetric(work());
+  report_.mergeSeconds = watch.lap();
+}
+
+Seams SeamSearch::Finder::finish() {
+  Stopwatch watch;
+  const bool isFair = options_.isAuto && goesOn() && fairSeams(work());
+  const bool isSolved = isFair && !makeSymmetric(work());
   report_.found = result_;
   report_.foundScale = u_;
-  if (options_.isAuto && goesOn()) shortenSeams(work, isSolved);
-  report_.mergeSeconds = watch.lap();
+  if (options_.isAuto && goesOn()) shortenSeams(work(), isSolved);
+  if (options_.isAuto) makeSymmetric(work());
+  for (const SurfaceCorner h : result_.ids())
+    if (result_[h]) report_.found[h] = 1;
+  report_.mergeSeconds += watch.lap();
   const CutSurface s = cutAlong(whole_, result_, pulse_);
   report_.stretch = predictStretch(whole_, s, u_).total;
   for (const CutSurface::Chart& chart : s.charts)
@@ -273,11 +311,22 @@ Seams Finder::run() {
   return std::move(result_);
 }
 
-}  // namespace
+SeamSearch::SeamSearch(const SeamMesh& mesh, Seams given, const SeamOptions& options,
+                       SeamReport& report)
+    : finder_(std::make_unique<Finder>(mesh, std::move(given), options, report)) {}
+
+SeamSearch::~SeamSearch() = default;
+
+void SeamSearch::join() { finder_->join(); }
+Seams SeamSearch::finish() { return finder_->finish(); }
+const Seams& SeamSearch::joined() const { return finder_->joined(); }
+const LogScales& SeamSearch::scale() const { return finder_->scale(); }
 
 Seams findInRounds(const SeamMesh& mesh, Seams given, const SeamOptions& options,
                    SeamReport& report) {
-  return Finder(mesh, std::move(given), options, report).run();
+  SeamSearch search(mesh, std::move(given), options, report);
+  search.join();
+  return search.finish();
 }
 
 }  // namespace abflat

@@ -7,10 +7,10 @@
 #include "seam/crease_seams.h"
 #include "seam/extract_charts.h"
 #include "seam/find_in_rounds.h"
+#include "seam/find_symmetric.h"
 #include "seam/geometric_order.h"
 #include "seam/prediction.h"
 #include "seam/seam_value.h"
-#include "seam/symmetric_seams.h"
 
 namespace abflat {
 namespace {
@@ -22,80 +22,15 @@ double lengthOf(const SeamMesh& mesh, const Seams& seams) {
   return sum;
 }
 
-/// For a mesh without cuts so far, finds seams on only one side of its plane of symmetry.
-class SymmetricFinder {
- public:
-  SymmetricFinder(const SeamMesh& mesh, const SeamOptions& options)
-      : mesh_(mesh), options_(options) {}
-
-  /// Replaces `seams`, which `report` describes, by symmetric ones if those are preferable.
-  void run(Seams& seams, SeamReport& report) const {
-    const double cost = costOfSeams(mesh_, seams);
-    if (options_.symmetricSeams == SymmetricSeams::Never || cost == 0) return;
-    const Mirror mirror = findMirror(mesh_, Pulse(options_.keepsOn));
-    if (!mirror) report.asymmetry = Asymmetry::NoPlane;
-    if (!mirror || mirroredShare(mesh_, mirror, seams) > kSymmetric) return;
-    const std::optional<SeamPart> half = halfOf(mesh_, mirror, options_.fillHoles);
-    if (!half) report.asymmetry = Asymmetry::PlaneCutsFace;
-    if (!half) return;
-    const double plane = costOfSeams(mesh_, unfold(mesh_, mirror, *half, {}));
-    if (isTooMuch(plane, cost * kMostOfPlane)) return;
-    const Seams found = seamsOfHalf(*half, report.eliminationRanks);
-    const double least = 2 * costOfSeams(half->mesh, found) + kLeastOfPlane * plane;
-    if (isTooMuch(least, cost)) return;
-    SeamOptions options = options_;
-    options.eliminationRanks = report.eliminationRanks;
-    options.first = unfold(mesh_, mirror, *half, found);
-    SeamReport own;
-    Seams symmetric = findInRounds(mesh_, Seams(mesh_.twin.size(), 0), options, own);
-    if (own.cancelled) report.cancelled = true;
-    if (own.cancelled || isTooMuch(own.charts, report.charts) ||
-        isTooMuch(wholeCost(symmetric, own), wholeCost(seams, report)))
-      return;
-    seams = std::move(symmetric);
-    // A chart must be solved in the same order whenever it is found.
-    own.eliminationRanks = std::move(report.eliminationRanks);
-    report = std::move(own);
-  }
-
- private:
-  /// Seams with a larger mirrored share stay as they are: only few edges would change.
-  static constexpr double kSymmetric = 0.9;
-  /// Found by measurement, for the seams in the plane: if they cost more than kMostOfPlane of all
-  /// seams, or if kLeastOfPlane of them plus the seams beside the plane cost more than all seams,
-  /// the result comes out longer.
-  static constexpr double kMostOfPlane = 0.7, kLeastOfPlane = 0.6;
-
-  double wholeCost(const Seams& seams, const SeamReport& report) const {
-    const IdVector<SurfaceTriangle, CutChartId> one(mesh_.triangleCount(), CutChartId(0));
-    return costOfParts(mesh_, seams, report.scale, options_.maxStretch, one, 1, options_.prices)
-        .front();
-  }
-
-  bool isTooMuch(double now, double most) const {
-    return options_.symmetricSeams == SymmetricSeams::Auto && now > most;
-  }
-
-  Seams seamsOfHalf(const SeamPart& half, const EliminationRanks& ranks) const {
-    SeamOptions options = options_;
-    options.eliminationRanks = half.ofVertices(ranks);
-    SeamReport own;
-    return findInRounds(half.mesh, Seams(half.mesh.twin.size(), 0), options, own);
-  }
-
-  const SeamMesh& mesh_;
-  const SeamOptions& options_;
-};
-
 /// Finds seams once more for components that have creases, starting with the patches between them,
 /// and takes those that cost less.
 class CreaseFinder {
  public:
-  CreaseFinder(const SeamMesh& mesh, const SeamOptions& options)
+  CreaseFinder(const SeamMesh& mesh, const Seams& given, const SeamOptions& options)
       : mesh_(mesh),
         options_(options),
-        whole_(cutAlong(mesh, Seams(mesh.twin.size(), 0))),
-        creases_(creasesToBegin(mesh, whole_)) {}
+        whole_(cutAlong(mesh, given)),
+        creases_(creasesToBegin(mesh, whole_, options.speck * options.speck / kFoldedUp)) {}
 
   /// `seams`, which `report` describes, were found starting with whole components.
   void run(Seams& seams, SeamReport& report) const {
@@ -111,6 +46,9 @@ class CreaseFinder {
   }
 
  private:
+  /// Of the square of its extent once it is flat, the inverse of a closed speck's area.
+  static constexpr double kFoldedUp = 4;
+
   IdVector<CutChartId, std::uint8_t> componentsWithCreases() const {
     IdVector<CutChartId, std::uint8_t> out(whole_.charts.size(), 0);
     for (const SurfaceCorner h : creases_.ids())
@@ -127,15 +65,18 @@ class CreaseFinder {
                    SeamReport& report) const {
     Seams other = seams;
     LogScales scale = report.scale;
-    for (const SurfaceCorner i : found.ids()) other[part.wholeHalfEdge[i]] = found[i];
+    for (const SurfaceCorner i : found.ids())
+      if (part.mesh.twin[i].exists()) other[part.wholeHalfEdge[i]] = found[i];
     for (const SurfaceVertex i : own.scale.ids()) scale[part.wholeVertex[i]] = own.scale[i];
     const IdVector<CutChartId, double> before = costs(seams, report.scale),
                                        after = costs(other, scale);
     for (const SurfaceCorner i : found.ids()) {
       const SurfaceCorner h = part.wholeHalfEdge[i];
       if (!(after[whole_.chartOf(h)] < before[whole_.chartOf(h)])) continue;
-      seams[h] = found[i];
-      report.found[h] = own.found[i];
+      if (part.mesh.twin[i].exists()) {
+        seams[h] = found[i];
+        report.found[h] = own.found[i];
+      }
       report.scale[mesh_.tail(h)] = own.scale[part.mesh.tail(i)];
       report.foundScale[mesh_.tail(h)] = own.foundScale[part.mesh.tail(i)];
     }
@@ -148,19 +89,20 @@ class CreaseFinder {
 
   const SeamMesh& mesh_;
   const SeamOptions& options_;
-  const CutSurface whole_;  ///< its charts are the components
+  const CutSurface whole_;  ///< its charts are the components, cut along given seams
   const Seams creases_;
 };
 
 /// With seams marked on both sides.
 Seams findInOrder(const SeamMesh& mesh, Seams seams, const SeamOptions& options,
                   SeamReport& report) {
-  const bool isFree = options.isAuto && options.first.empty() &&
-                      std::find(seams.begin(), seams.end(), 1) == seams.end();
+  const bool isNew = options.isAuto && options.first.empty();
+  const bool isFree = isNew && std::find(seams.begin(), seams.end(), 1) == seams.end();
+  const Seams given = isNew ? seams : Seams();
   if (mesh.triangleCount() > 0) seams = findInRounds(mesh, std::move(seams), options, report);
   if (!isFree) report.asymmetry = Asymmetry::SeamsGiven;
-  if (isFree && !report.cancelled) CreaseFinder(mesh, options).run(seams, report);
-  if (isFree && !report.cancelled) SymmetricFinder(mesh, options).run(seams, report);
+  if (isNew && !report.cancelled) CreaseFinder(mesh, given, options).run(seams, report);
+  if (isFree && !report.cancelled) preferSymmetric(mesh, options, seams, report);
   report.seamLength = lengthOf(mesh, seams);
   const double size = std::sqrt(mesh.totalArea());
   if (size > 0) {
@@ -176,6 +118,13 @@ SeamReport inWhole(const SeamPart& part, SeamReport report) {
   report.eliminationRanks = part.toWhole(report.eliminationRanks);
   report.scale = part.toWhole(report.scale);
   report.foundScale = part.toWhole(report.foundScale);
+  report.mirror = report.mirror.ofWhole(part);
+  KnownSeams& x = report.otherwise;
+  if (x.seams.empty()) return report;
+  x.seams = part.toWhole(x.seams);
+  x.found = part.toWhole(x.found);
+  x.scale = part.toWhole(x.scale);
+  x.foundScale = part.toWhole(x.foundScale);
   return report;
 }
 
@@ -193,6 +142,7 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
   SeamOptions own = options;
   own.first = part.ofCorners(options.first);
   own.eliminationRanks = part.ofVertices(options.eliminationRanks);
+  own.mirror = options.mirror.ofPart(part);
   SeamReport found;
   const Seams seams = findInOrder(part.mesh, part.ofCorners(given), own, found);
   if (report) {

@@ -7,6 +7,7 @@
 #include "abflat/generated/unwrap_options.h"
 #include "base/parallel.h"
 #include "cut/cut_surface.h"
+#include "seam/mirror.h"
 #include "seam/seam_value.h"
 
 namespace abflat {
@@ -22,22 +23,32 @@ struct SeamOptions {
   double mostOverlap = 0.0003;
   /// The longest that a chart may be, in the mesh's unit; infinite: no limit.
   double longest = std::numeric_limits<double>::infinity();
+  /// Charts that reach no farther, in the mesh's unit, take up less of the atlas joined than apart,
+  /// however little of their hull they fill: the padding around them is what counts.
+  double speck = 0;
   /// Parts that are disks before anything is cut stay whole, however much they are distorted.
   bool keepDisks = false;
   EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are computed
   SeamPrices prices;
+  Mirror mirror;  ///< what seams are kept symmetric to, where they can be; none: nothing
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
   ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread
   std::function<bool()> keepsOn;  ///< false: stop with the seams so far, which still cut to disks
 };
 
-/// Why no symmetric seams were looked for.
+/// Why seams are not symmetric, unless others are preferable.
 enum class Asymmetry : std::uint8_t {
   None,
-  NoPlane,        ///< the mesh is not its own mirror image
-  PlaneCutsFace,  ///< the mirror plane runs through a polygon, or a hole that has to stay filled
-  SeamsGiven,     ///< there were seams before
+  NoPlane,     ///< the mesh is not its own mirror image
+  NoSeams,     ///< those found do not stay symmetric within the bounds on stretch and overlap
+  SeamsGiven,  ///< there were seams before
+};
+
+/// Seams, and the scale expected for them.
+struct KnownSeams {
+  Seams seams, found;  ///< now, and before they were shortened
+  LogScales scale, foundScale;
 };
 
 struct SeamReport {
@@ -54,6 +65,8 @@ struct SeamReport {
   LogScales scale;                    ///< expected log-scale
   double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
   bool cancelled = false;
+  Mirror mirror;         ///< what symmetric seams are symmetric to
+  KnownSeams otherwise;  ///< the seams that symmetric ones were preferred to
   Asymmetry asymmetry = Asymmetry::None;
 };
 

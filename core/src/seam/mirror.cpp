@@ -1,193 +1,204 @@
 #include "seam/mirror.h"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
 
-#include "mesh/triangle_geometry.h"
-#include "seam/principal_axes.h"
+#include "seam/mirror_plane.h"
 #include "seam/seam_tips.h"
 
 namespace abflat {
 namespace {
 
-/// In the unit cube. Models are mirrored exactly, but written with few digits.
-constexpr double kTolerance = 1e-4;
-/// Used while the plane is only roughly known.
-constexpr double kCoarse = 1e-3;
-/// Shares of the vertices and of the edges that must have an image. For edges it is less, since
-/// diagonals of mirrored polygons need not be mirrored.
-constexpr double kLeastMirrored = 0.9, kLeastMirroredEdges = 0.5;
-/// How many vertices are sampled.
-constexpr std::uint32_t kFew = 100, kMany = 1000;
+/// Shares of the area and of the length of edges that must have an image. For edges it is less,
+/// since diagonals of mirrored polygons need not be mirrored.
+constexpr double kLeastMirroredArea = 0.7, kLeastMirroredEdges = 0.5;
 
-Vec3 pointOf(const SeamMesh& mesh, SurfaceVertex v) {
-  const double* p = &mesh.positions[3 * std::size_t{v}];
-  return {p[0], p[1], p[2]};
-}
+using VertexImages = IdVector<SurfaceVertex, SurfaceVertex>;
 
-struct Plane {
-  Vec3 normal;
-  double distance;
-
-  double of(const Vec3& p) const { return dot(normal, p) - distance; }
-  Vec3 image(Vec3 p) const {
-    const double twice = 2 * of(p);
-    for (std::size_t i = 0; i < 3; ++i) p[i] -= twice * normal[i];
-    return p;
+/// A vertex on the plane is its own image.
+VertexImages vertexImages(const SeamMesh& mesh, const VertexCells& cells, const MirrorPlane& plane,
+                          const Pulse& pulse) {
+  VertexImages nearest;
+  nearest.reserve(mesh.vertexCount());
+  for (const SurfaceVertex v : mesh.vertices()) {
+    nearest.push_back(cells.nearest(plane.image(placeOf(mesh, v)), kMirrorTolerance));
+    pulse.beat();
   }
-};
-
-/// Planes through the middle of the surface. A plane of symmetry is perpendicular to one of its
-/// principal axes; the coordinate axes are tried as well, for surfaces whose principal axes are
-/// ambiguous.
-std::vector<Plane> candidates(const SeamMesh& mesh) {
-  if (!(mesh.totalArea() > 0)) return {};
-  const PrincipalAxes principal = principalAxes(mesh);
-  std::vector<Plane> out;
-  const auto add = [&](const Vec3& normal) {
-    out.push_back({normal, dot(normal, principal.middle)});
-  };
-  for (const Vec3& normal : principal.axes) add(normal);
-  for (const Vec3& normal : PrincipalAxes().axes) add(normal);
+  VertexImages out(nearest.size());
+  for (const SurfaceVertex v : mesh.vertices())
+    if (nearest[v].exists() && nearest[nearest[v]] == v) out[v] = nearest[v];
   return out;
 }
 
-/// Vertices sorted into cells, to find those near a point.
-class VertexCells {
+/// Finds edges between vertices.
+class EdgeFinder {
  public:
-  explicit VertexCells(const SeamMesh& mesh) : mesh_(mesh) {
-    entries_.reserve(mesh.vertexCount());
-    for (const SurfaceVertex v : mesh.vertices())
-      entries_.push_back({cellOf(pointOf(mesh, v), 0), v});
-    std::sort(entries_.begin(), entries_.end());
+  explicit EdgeFinder(const SeamMesh& mesh)
+      : mesh_(mesh), outgoing_(outgoingHalfEdges(mesh)), degree_(mesh.vertexCount(), 0) {
+    for (const SurfaceCorner h : mesh.corners()) ++degree_[mesh.tail(h)];
   }
 
-  SurfaceVertex nearest(const Vec3& at, double tolerance) const {
-    SurfaceVertex best;
-    double least = tolerance;
-    const Cell low = cellOf(at, -tolerance), high = cellOf(at, tolerance);
-    for (std::int32_t x = low[0]; x <= high[0]; ++x)
-      for (std::int32_t y = low[1]; y <= high[1]; ++y) {
-        const Entry first{{x, y, low[2]}, SurfaceVertex(0)};
-        for (auto e = std::lower_bound(entries_.begin(), entries_.end(), first);
-             e != entries_.end() && e->cell <= Cell{x, y, high[2]}; ++e) {
-          const Vec3 p = pointOf(mesh_, e->vertex);
-          const double distance = norm({p[0] - at[0], p[1] - at[1], p[2] - at[2]});
-          if (!(distance < least)) continue;
-          least = distance;
-          best = e->vertex;
-        }
-      }
-    return best;
+  bool mayBeCut(SurfaceCorner h) const {
+    return mesh_.twin[h].exists() && mesh_.cost[h] < kBarredCost;
   }
 
- private:
-  using Cell = std::array<std::int32_t, 3>;
-  struct Entry {
-    Cell cell;
-    SurfaceVertex vertex;
-    bool operator<(const Entry& o) const {
-      return cell != o.cell ? cell < o.cell : vertex < o.vertex;
+  /// None if the edge may not be cut.
+  SurfaceCorner between(SurfaceVertex tail, SurfaceVertex head) const {
+    const bool isForward = degree_[tail] <= degree_[head];
+    SurfaceCorner out;
+    forEachAround(isForward ? tail : head, [&](SurfaceCorner h) {
+      if (mesh_.head(h) == (isForward ? head : tail) && mayBeCut(h)) out = h;
+    });
+    return isForward || !out.exists() ? out : mesh_.twin[out];
+  }
+
+  /// The cheaper way around an edge that has the two vertices on either side.
+  std::array<SurfaceCorner, 2> around(SurfaceVertex tail, SurfaceVertex head) const {
+    if (degree_[tail] > degree_[head]) {
+      const std::array<SurfaceCorner, 2> back = around(head, tail);
+      if (!back[0].exists()) return {};
+      return {mesh_.twin[back[1]], mesh_.twin[back[0]]};
     }
-  };
-
-  static Cell cellOf(const Vec3& at, double shift) {
-    Cell out;
-    for (std::size_t i = 0; i < 3; ++i)
-      out[i] = static_cast<std::int32_t>(std::floor((at[i] + shift) / (4 * kTolerance)));
+    std::array<SurfaceCorner, 2> out;
+    double least = kBarredCost;
+    const auto consider = [&](SurfaceCorner first, SurfaceCorner second) {
+      if (!first.exists() || !second.exists() || !mayBeCut(first) || !mayBeCut(second)) return;
+      const double cost = mesh_.cost[first] + mesh_.cost[second];
+      if (!(cost < least)) return;
+      least = cost;
+      out = {first, second};
+    };
+    forEachAround(tail, [&](SurfaceCorner h) {
+      const SurfaceCorner o = mesh_.twin[nextCorner(h)];
+      if (!o.exists() || mesh_.tail(prevCorner(o)) != head) return;
+      consider(h, nextCorner(o));
+      consider(mesh_.twin[prevCorner(h)], mesh_.twin[prevCorner(o)]);
+    });
     return out;
   }
 
+ private:
+  template <typename Visit>
+  void forEachAround(SurfaceVertex v, Visit visit) const {
+    SurfaceCorner h = outgoing_[v];
+    do {
+      visit(h);
+      h = rotateCounterClockwise(mesh_.twin, h);
+    } while (h.exists() && h != outgoing_[v]);
+  }
+
   const SeamMesh& mesh_;
-  std::vector<Entry> entries_;
+  const IdVector<SurfaceVertex, SurfaceCorner> outgoing_;
+  IdVector<SurfaceVertex, std::uint32_t> degree_;
 };
 
-struct MirrorFit {
-  Plane plane;
-  double share;  ///< of the sampled vertices off the plane, those with an image
-};
-
-/// The plane that best mirrors every n-th vertex, among those that have an image.
-MirrorFit fitTo(const SeamMesh& mesh, const VertexCells& cells, const Plane& plane,
-                double tolerance, std::uint32_t sample) {
-  const std::uint32_t stride = 1 + mesh.vertexCount() / sample;
-  double all = 0, found = 0;
-  Vec3 across{}, middle{};
-  for (SurfaceVertex v(0); v < mesh.vertexCount(); v = SurfaceVertex(v + stride)) {
-    const Vec3 p = pointOf(mesh, v);
-    if (std::abs(plane.of(p)) <= tolerance) continue;
-    ++all;
-    const SurfaceVertex image = cells.nearest(plane.image(p), tolerance);
-    if (!image.exists()) continue;
-    ++found;
-    const Vec3 q = pointOf(mesh, image);
-    const double sign = plane.of(p) > 0 ? 1 : -1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      across[i] += sign * (p[i] - q[i]);
-      middle[i] += (p[i] + q[i]) / 2;
-    }
+void findEdgeImages(const SeamMesh& mesh, const VertexImages& vertex, const Pulse& pulse,
+                    Mirror& out) {
+  const EdgeFinder finder(mesh);
+  IdVector<SurfaceCorner, SurfaceCorner> found(mesh.twin.size());
+  out.image.resize(mesh.twin.size());
+  out.around.resize(mesh.twin.size());
+  for (const SurfaceCorner h : mesh.corners()) {
+    pulse.beat();
+    const SurfaceVertex tail = vertex[mesh.tail(h)], head = vertex[mesh.head(h)];
+    if (!finder.mayBeCut(h) || h > mesh.twin[h] || !tail.exists() || !head.exists()) continue;
+    found[h] = finder.between(tail, head);
+    if (found[h].exists())
+      found[mesh.twin[h]] = mesh.twin[found[h]];
+    else
+      out.around[h] = finder.around(tail, head);
+    if (!out.around[h][0].exists()) continue;
+    out.around[mesh.twin[h]] = {mesh.twin[out.around[h][1]], mesh.twin[out.around[h][0]]};
   }
-  if (!(found > 0)) return {plane, 0};
-  const double length = norm(across);
-  for (std::size_t i = 0; i < 3; ++i) {
-    across[i] /= length;
-    middle[i] /= found;
-  }
-  return {{across, dot(across, middle)}, found / all};
+  // Where two edges join the same vertices, each needs its own image.
+  for (const SurfaceCorner h : mesh.corners())
+    if (found[h].exists() && found[found[h]] == h) out.image[h] = found[h];
 }
 
-SurfaceCorner halfEdgeBetween(const SeamMesh& mesh,
-                              const IdVector<SurfaceVertex, SurfaceCorner>& outgoing,
-                              SurfaceVertex tail, SurfaceVertex head) {
-  SurfaceCorner h = outgoing[tail];
-  do {
-    if (mesh.head(h) == head) return h;
-    h = rotateCounterClockwise(mesh.twin, h);
-  } while (h.exists() && h != outgoing[tail]);
-  return {};
+double mirroredArea(const SeamMesh& mesh, const VertexImages& image) {
+  double out = 0;
+  for (const SurfaceVertex v : mesh.vertices())
+    if (image[v].exists()) out += mesh.vertexArea[v];
+  return out;
 }
 
-signed char sideOf(double distance) {
-  if (std::abs(distance) <= kTolerance) return 0;
-  return distance > 0 ? 1 : -1;
+/// By length; those that may not be cut do not matter.
+double mirroredEdges(const SeamMesh& mesh, const IdVector<SurfaceCorner, SurfaceCorner>& image) {
+  double all = 0, mirrored = 0;
+  for (const SurfaceCorner h : mesh.corners()) {
+    if (!mesh.twin[h].exists() || !(mesh.cost[h] < kBarredCost)) continue;
+    all += mesh.length[h];
+    if (image[h].exists()) mirrored += mesh.length[h];
+  }
+  return all > 0 ? mirrored / all : 0;
+}
+
+void findSides(const SeamMesh& mesh, const MirrorPlane& plane, const VertexImages& image,
+               Mirror& out) {
+  double unmatched = 0;  // on the side 1, less that on the other one
+  for (const SurfaceVertex v : mesh.vertices()) {
+    const double off = plane.of(placeOf(mesh, v));
+    out.side.push_back(static_cast<std::int8_t>(image[v] == v || off == 0 ? 0 : off > 0 ? 1 : -1));
+    if (!image[v].exists()) unmatched += out.side[v] * mesh.vertexArea[v];
+  }
+  if (unmatched > 0)
+    for (std::int8_t& side : out.side) side = static_cast<std::int8_t>(-side);
 }
 
 }  // namespace
 
-Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
-  const VertexCells cells(mesh);
-  MirrorFit best{};
-  for (const Plane& candidate : candidates(mesh)) {
-    if (!pulse.beat(kFew)) return {};
-    const MirrorFit fit = fitTo(mesh, cells, candidate, kCoarse, kFew);
-    if (fit.share > best.share) best = fit;
-  }
-  if (best.share > 0) best = fitTo(mesh, cells, best.plane, kTolerance, kMany);
-  if (best.share < kLeastMirrored) return {};
-  const Plane& plane = best.plane;
+Mirror Mirror::ofPart(const SeamPart& part) const {
   Mirror out;
-  IdVector<SurfaceVertex, SurfaceVertex> image;
-  for (const SurfaceVertex v : mesh.vertices()) {
-    const Vec3 p = pointOf(mesh, v);
-    const double distance = plane.of(p);
-    out.side.push_back(sideOf(distance));
-    image.push_back(out.side[v] == 0 ? v : cells.nearest(plane.image(p), kTolerance));
-    pulse.beat();
+  if (!*this) return out;
+  out.side = part.ofVertices(side);
+  IdVector<SurfaceCorner, SurfaceCorner> inPart(image.size());
+  for (const SurfaceCorner h : part.wholeHalfEdge.ids()) inPart[part.wholeHalfEdge[h]] = h;
+  // An edge that the part is open along has no image, and is none.
+  const auto moved = [&](SurfaceCorner h) {
+    const SurfaceCorner i = h.exists() ? inPart[h] : SurfaceCorner();
+    return i.exists() && part.mesh.twin[i].exists() ? i : SurfaceCorner();
+  };
+  for (const SurfaceCorner h : part.wholeHalfEdge) {
+    if (!moved(h).exists()) {
+      out.image.push_back({});
+      out.around.push_back({});
+      continue;
+    }
+    out.image.push_back(moved(image[h]));
+    const auto [first, second] = around[h];
+    const bool isBoth = moved(first).exists() && moved(second).exists();
+    out.around.push_back(
+        {isBoth ? moved(first) : SurfaceCorner(), isBoth ? moved(second) : SurfaceCorner()});
   }
-  const IdVector<SurfaceVertex, SurfaceCorner> outgoing = outgoingHalfEdges(mesh);
-  std::size_t found = 0;
-  for (const SurfaceCorner h : mesh.corners()) {
-    const SurfaceVertex tail = image[mesh.tail(h)];
-    const SurfaceVertex head = image[mesh.head(h)];
-    const bool hasBoth = tail.exists() && head.exists();
-    // The image of a boundary half-edge would be on its other side.
-    out.image.push_back(hasBoth ? halfEdgeBetween(mesh, outgoing, tail, head) : SurfaceCorner());
-    found += out.image[h].exists() || !mesh.twin[h].exists();
-    pulse.beat();
-  }
-  const double edges = static_cast<double>(mesh.twin.size());
-  if (static_cast<double>(found) < kLeastMirroredEdges * edges) return {};
   return out;
+}
+
+Mirror Mirror::ofWhole(const SeamPart& part) const {
+  Mirror out;
+  if (!*this) return out;
+  out.side = part.toWhole(side);
+  const auto moved = [&](SurfaceCorner h) {
+    return h.exists() ? part.wholeHalfEdge[h] : SurfaceCorner();
+  };
+  out.image.resize(image.size());
+  out.around.resize(image.size());
+  for (const SurfaceCorner h : image.ids()) {
+    out.image[moved(h)] = moved(image[h]);
+    out.around[moved(h)] = {moved(around[h][0]), moved(around[h][1])};
+  }
+  return out;
+}
+
+Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
+  constexpr double kCell = 4 * kMirrorTolerance;
+  const VertexCells cells(mesh, kCell);
+  const std::optional<MirrorPlane> plane = findMirrorPlane(mesh, cells, pulse);
+  if (!plane) return {};
+  const VertexImages image = vertexImages(mesh, cells, *plane, pulse);
+  if (mirroredArea(mesh, image) < kLeastMirroredArea * mesh.totalArea()) return {};
+  Mirror out;
+  findSides(mesh, *plane, image, out);
+  findEdgeImages(mesh, image, pulse, out);
+  return mirroredEdges(mesh, out.image) < kLeastMirroredEdges ? Mirror() : out;
 }
 
 }  // namespace abflat

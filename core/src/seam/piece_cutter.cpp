@@ -244,7 +244,13 @@ bool PieceCutter::split(PieceId piece, BoundaryIndex from, BoundaryIndex to, dou
   const auto isSolid = [&](SurfaceCorner h) {
     return !mesh_.isFilling(triangleOf(surface_.twin[h]));
   };
-  if (std::none_of(path.begin(), path.end(), isSolid) || costOf(path) > mostCost) return false;
+  // A cut along a crease must not go on through a flat face.
+  const auto isInFlat = [&](SurfaceCorner h) {
+    return std::isfinite(mostCost) && mesh_.cost[h] > mesh_.length[h];
+  };
+  if (std::none_of(path.begin(), path.end(), isSolid) || costOf(path) > mostCost ||
+      std::any_of(path.begin(), path.end(), isInFlat))
+    return false;
   take(path);
   const auto indexOf = [&](OpenVertex v) {
     return BoundaryIndex(std::find(loop.begin(), loop.end(), v) - loop.begin());

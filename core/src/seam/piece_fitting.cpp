@@ -38,6 +38,15 @@ std::vector<PlanePoint> pointsBetween(const FlatLoop& loop, const std::vector<Bo
   }
 }
 
+/// Whether the loop fills its smallest box, which is not very long.
+bool isRectangle(const FlatLoop& loop) {
+  constexpr double kNearlyAll = 0.97, kLong = 5;
+  const std::vector<PlanePoint> points(loop.begin(), loop.end());
+  const Pose box = leastBoxPose(convexHull(points));
+  return box.width <= kLong * box.height &&
+         massOf(points).area >= kNearlyAll * box.width * box.height;
+}
+
 }  // namespace
 
 PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const QuickFit& fit,
@@ -54,7 +63,10 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
     shapes_[piece].density = flat.density[chart];
     shapes_[piece].mostCost = mostCost;
     // The filling taken out of a hole needs no room.
-    if (!mesh.isFilling(flat.surface.charts[chart].firstTriangle)) takeShape(piece);
+    if (mesh.isFilling(flat.surface.charts[chart].firstTriangle)) continue;
+    takeShape(piece);
+    // A rectangle lies well.
+    if (mostCost < HUGE_VAL && isRectangle(shapes_[piece].loop)) shapes_[piece].mostCost = 0;
   }
 }
 
@@ -182,7 +194,8 @@ std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(const Placed& is
   PieceId asked[2];
   const auto massOf = [&](PieceId p) { return p.exists() ? fit_.items()[p].mass.area : -1; };
   for (const PieceId p : isPlaced.ids()) {
-    if (isPlaced[p] || !shapes_[p].canCut || !(massOf(p) > kMore * massOf(asked[1]))) continue;
+    const bool mayCut = shapes_[p].canCut && shapes_[p].mostCost > 0;
+    if (isPlaced[p] || !mayCut || !(massOf(p) > kMore * massOf(asked[1]))) continue;
     asked[1] = p;
     if (massOf(p) > kMore * massOf(asked[0])) std::swap(asked[0], asked[1]);
   }

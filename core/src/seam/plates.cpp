@@ -37,6 +37,9 @@ class Regions {
  private:
   static constexpr double kFlat = 1 - 1e-6;     // cosine between neighbours
   static constexpr double kCrease = 0.8660254;  // cosine of 30 degrees
+  /// Plates that make up less of the surface are not worth a second search: steps and dirt have
+  /// flat spots with holes, too.
+  static constexpr double kLeastShare = 1e-3;
 
   /// All triangles around `first` that lie in its plane, and the rest of their faces.
   void spread(SurfaceTriangle first) {
@@ -89,7 +92,17 @@ class Regions {
     std::vector<std::uint8_t> out;
     for (std::size_t r = 0; r < count_; ++r)
       out.push_back(euler[r] - halves[r] / 2 <= kMostOfOthers);
+    if (shareOf(out) < kLeastShare) out.assign(count_, 0);
     return out;
+  }
+
+  /// Of the surface, how much lies in these regions.
+  double shareOf(const std::vector<std::uint8_t>& isAsked) const {
+    double area = 0;
+    for (const SurfaceTriangle f : mesh_.triangles())
+      if (const RegionId region = ofTriangle_[f]; region.exists() && isAsked[region])
+        area += mesh_.area[f];
+    return area / mesh_.totalArea();
   }
 
   const SeamMesh& mesh_;

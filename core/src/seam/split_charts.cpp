@@ -11,6 +11,14 @@ bool isBad(const Shape& shape, SplitFor reason, const ShapeOptions& options) {
          (reason == SplitFor::OverlapOrFill && shape.fill < options.leastFill);
 }
 
+/// Per chart, whether all of it lies in one plane: a seam would be in plain sight.
+IdVector<CutChartId, std::uint8_t> areFlat(const SeamMesh& mesh, const CutSurface& s) {
+  IdVector<CutChartId, std::uint8_t> out(s.charts.size(), 1);
+  for (const SurfaceCorner h : mesh.corners())
+    if (s.twin[h].exists() && mesh.cost[h] <= mesh.length[h]) out[s.chartOf(h)] = 0;
+  return out;
+}
+
 /// Makes one split in each chart that asks for it. Charts that cannot be split no longer ask.
 std::uint32_t splitOnce(const CutPaths& paths, const ShapeOptions& options, SplitCharts& charts,
                         Seams& seams) {
@@ -63,11 +71,14 @@ SplitCharts chartsToSplit(const SeamMesh& mesh, const CutSurface& s, const LogSc
                           const ShapeOptions& options, IdVector<CutChartId, SplitFor> asked) {
   SplitCharts out{std::move(asked), {}};
   out.shape.resize(out.asked.size());
+  const IdVector<CutChartId, std::uint8_t> isFlat = areFlat(mesh, s);
   for (const CutChartId c : s.charts.ids()) {
     if (out.asked[c] == SplitFor::Nothing) continue;
     Shape& shape = out.shape[c];
     if (s.charts[c].triangles > 1 && s.charts[c].loops == 1) {
       shape = measureShape(predictOutline(mesh, s, c, u));
+      // Packing fills the hole of a ring.
+      if (isFlat[c]) shape.fill = 1;
       if (isBad(shape, out.asked[c], options) || !shape.crossings.empty()) continue;
     }
     out.asked[c] = SplitFor::Nothing;

@@ -12,17 +12,6 @@ namespace {
 
 constexpr double kLeastDensity = 1e-3, kMostDensity = 1e3;
 
-/// The mesh has been scaled, so that no square of a length overflows.
-double twiceArea(const SurfaceMap& map, SurfaceTriangle f) {
-  const auto& vertex = map.surface().table.vertex;
-  const std::vector<double>& positions = map.welded().mesh.positions;
-  const auto side = [&](std::size_t k) {
-    return edgeVector(positions, vertex[cornerOf(f, 0)], vertex[cornerOf(f, k)]);
-  };
-  const Vec3 normal = cross(side(1), side(2));
-  return std::sqrt(dot(normal, normal));
-}
-
 }  // namespace
 
 Status checkDensities(const std::vector<double>& ofFace, std::size_t faces) {
@@ -37,15 +26,21 @@ Status checkDensities(const std::vector<double>& ofFace, std::size_t faces) {
   return {};
 }
 
-IdVector<ChartId, double> densitiesOf(const CutMesh& mesh, const std::vector<double>& ofFace) {
+IdVector<ChartId, double> densitiesOf(const CutMesh& mesh, const std::vector<double>& ofFace,
+                                      const std::vector<double>& positions) {
   IdVector<ChartId, double> out;
-  if (std::all_of(ofFace.begin(), ofFace.end(), [](double d) { return d == 1; })) return out;
+  const std::vector<double>& drawn = mesh.map.welded().mesh.positions;
+  const bool isSmoothed = !positions.empty();
+  const bool areAlike = std::all_of(ofFace.begin(), ofFace.end(), [](double d) { return d == 1; });
+  if (areAlike && !isSmoothed) return out;
   for (const ChartId i : mesh.set.ids()) {
     double area = 0, texels = 0;
     for (const SurfaceTriangle f : mesh.set.topology(i).triangles) {
-      const double density = ofFace[mesh.map.face(f)], part = twiceArea(mesh.map, f);
+      const double density = areAlike ? 1 : ofFace[mesh.map.face(f)];
+      const TriangleVertices v = verticesOf(mesh.map.surface().table.vertex, f);
+      const double part = areaOf(drawn, v);
       area += part;
-      texels += part * density * density;
+      texels += (isSmoothed ? areaOf(positions, v) : part) * density * density;
     }
     out.push_back(area > 0 ? std::sqrt(texels / area) : 1);
   }

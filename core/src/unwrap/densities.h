@@ -9,7 +9,9 @@ namespace abflat {
 Status checkDensities(const std::vector<double>& ofFace, std::size_t faces);
 
 /// Per chart, its texel density relative to that of other charts: it gets as many texels as its
-/// faces ask for together. Empty if none is asked for.
-IdVector<ChartId, double> densitiesOf(const CutMesh& mesh, const std::vector<double>& ofFace);
+/// faces ask for together. Empty if none is asked for. `positions`: of the vertices on the true
+/// surface, if charts are drawn after a smoothed one; otherwise empty.
+IdVector<ChartId, double> densitiesOf(const CutMesh& mesh, const std::vector<double>& ofFace,
+                                      const std::vector<double>& positions);
 
 }  // namespace abflat

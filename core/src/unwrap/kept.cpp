@@ -50,6 +50,7 @@ OpenSurface keptCharts(const OpenSurface& whole,
   out.eliminationRanks = part.ofVertices(whole.eliminationRanks);
   out.scale = part.ofVertices(whole.scale);
   out.foundScale = part.ofVertices(whole.foundScale);
+  out.mirror = whole.mirror.ofPart(part);
   out.mesh = std::move(part.mesh);
   return out;
 }

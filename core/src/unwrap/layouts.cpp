@@ -5,8 +5,8 @@
 
 #include "base/counted.h"
 #include "base/number_text.h"
-#include "base/point2.h"
 #include "base/stable_order.h"
+#include "unwrap/reordered.h"
 
 namespace abflat {
 namespace {
@@ -35,9 +35,7 @@ FlatChart flattenInOrder(const ChartSet& set, ChartId i, const UnwrapOptionValue
   FlatChart out = flattenOne(set.chartInOrder(i, former), options, {}, patience, pool, goesOn);
   if (out.unpacked.empty()) return out;
   const DiskChart chart = set.chart(i);
-  std::vector<double> places(out.unpacked.size());
-  for (const ChartVertex v : former.ids()) setPoint(places, former[v], pointAt(out.unpacked, v));
-  out.unpacked = std::move(places);
+  out.unpacked = inFormerOrder(out.unpacked, former);
   out.area = areaOf(chart);
   out.distortion = ChartDistortion(measureDistortion(chart, inChartUnit(chart, out.unpacked)));
   return out;

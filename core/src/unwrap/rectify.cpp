@@ -3,6 +3,9 @@
 #include "base/point2.h"
 #include "flatten/rectify_chart.h"
 #include "solve/factor_memory.h"
+#include "unwrap/expected_density.h"
+#include "unwrap/near_parts.h"
+#include "unwrap/reordered.h"
 
 namespace abflat {
 namespace {
@@ -17,30 +20,43 @@ bool isAsked(const FlatChart& flat, Rectify how) {
          flat.solver != Solver::Known && (how == Rectify::Always || !isExact);
 }
 
+/// How many edges of the outline would come too near others, so that the chart would be cut there.
+std::size_t nearEdges(const DiskChart& chart, const std::vector<double>& unpacked, double density,
+                      int padding) {
+  PlacedOutline outline;
+  for (const ChartCorner h : chart.boundary) {
+    const ChartVertex v = chart.vertexOfCorner[h];
+    for (const double x : pointAt(unpacked, v)) outline.uv.push_back(density * x);
+    for (std::size_t d = 0; d < 3; ++d)
+      outline.positions.push_back(density * chart.unit * chart.positions[3 * std::size_t{v} + d]);
+  }
+  return findNearParts(outline, padding).edges.size();
+}
+
 void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
-                const RectifyOptions& how, FlatChart& flat) {
+                const RectifyOptions& how, double density, FlatChart& flat) {
   IdVector<ChartVertex, ChartVertex> former;
   const DiskChart ordered = set.chartInOrder(i, former);
-  std::vector<double> uv(flat.unpacked.size());
-  for (const ChartVertex v : former.ids()) setPoint(uv, v, pointAt(flat.unpacked, former[v]));
-  Rectified found = rectified(ordered, inChartUnit(ordered, std::move(uv)), how);
+  Rectified found = rectified(ordered, inChartUnit(ordered, inOrder(flat.unpacked, former)), how);
   if (found.uv.empty()) return;
   for (double& x : found.uv) x *= ordered.unit;
-  std::vector<double> places(found.uv.size());
-  for (const ChartVertex v : former.ids()) setPoint(places, former[v], pointAt(found.uv, v));
+  std::vector<double> places = inFormerOrder(found.uv, former);
   const DiskChart chart = set.chart(i);
   const ChartDistortion distortion(measureDistortion(chart, inChartUnit(chart, places)));
   const double more = distortion.symmetricDirichlet - flat.distortion.symmetricDirichlet;
   const bool isWorth =
       distortion.symmetricDirichlet <= options.maxStretch && more <= kWorth * found.gain;
   if (options.rectify == Rectify::Auto && !isWorth) return;
+  if (nearEdges(chart, places, density, options.padding) >
+      nearEdges(chart, flat.unpacked, density, options.padding))
+    return;
   flat.unpacked = std::move(places);
   flat.distortion = distortion;
 }
 
 }  // namespace
 
-void rectifyAll(const UnwrapOptions& options, ThreadPool& pool,
+void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool,
                 const std::function<bool()>& goesOn, LaidCharts& charts) {
   const bool isFree = options.t == kAutoT && !options.straightSeams && options.balance > 0;
   if (options.rectify == Rectify::Never || !isFree) return;
@@ -48,11 +64,14 @@ void rectifyAll(const UnwrapOptions& options, ThreadPool& pool,
   how.balance = options.balance;
   how.allowedBytes = allowedBytes(options.memory);
   how.pool = &pool;
+  double area = 0;
+  for (const FlatChart& chart : charts.flat) area += chart.area;
+  const double density = expectedDensity(options, area, unit);
   how.onStep = [&] { return !pool.isOwner() || goesOn(); };
   parallelFor(&pool, charts.set.size(), [&](std::size_t k) {
     const ChartId i(k);
     if (isAsked(charts.flat[i], options.rectify))
-      rectifyOne(charts.set, i, options, how, charts.flat[i]);
+      rectifyOne(charts.set, i, options, how, density, charts.flat[i]);
   });
 }
 

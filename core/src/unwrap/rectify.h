@@ -10,7 +10,8 @@ namespace abflat {
 
 /// Makes outlines that are nearly straight lines exactly so where that stretches the chart by less
 /// than the bound. Charts that are exact, pinned, given or asked to be straight stay as they are.
-void rectifyAll(const UnwrapOptions& options, ThreadPool& pool,
+/// `unit`: that of the charts, in the mesh's.
+void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool,
                 const std::function<bool()>& goesOn, LaidCharts& charts);
 
 }  // namespace abflat

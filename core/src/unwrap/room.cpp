@@ -6,9 +6,11 @@
 #include <numeric>
 #include <utility>
 
+#include "base/long_sum.h"
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "hole/fill_holes.h"
+#include "seam/extract_charts.h"
 #include "seam/geometric_order.h"
 #include "seam/piece_fitting.h"
 
@@ -37,12 +39,48 @@ RoomWish wishOf(const UnwrapOptionValues& options) {
   return {kBarely, std::min(kMore * options.minUtilization, kMostAsked), HUGE_VAL};
 }
 
+/// Of more charts than that, only long ones are cut.
+constexpr std::size_t kMostToCut = 64;
+
+/// The charts that may be cut: where there are too many for that, those that are not specks, which
+/// find a place between the others. `cuts`: how many of the charts come from cuts.
+IdVector<ChartId, std::uint8_t> largeCharts(const FlatCharts& flat, std::size_t cuts) {
+  constexpr double kLeastShare = 1e-3;
+  if (flat.size() <= kMostToCut + cuts) return IdVector<ChartId, std::uint8_t>(flat.size(), 1);
+  LongSum area;
+  for (const FlatChart& chart : flat) area.add(chart.area);
+  IdVector<ChartId, std::uint8_t> out;
+  for (const FlatChart& chart : flat) out.push_back(chart.area >= kLeastShare * area.value());
+  return out;
+}
+
+std::size_t countOf(const IdVector<ChartId, std::uint8_t>& isLarge) {
+  return static_cast<std::size_t>(std::count(isLarge.begin(), isLarge.end(), 1));
+}
+
+/// The surface of the large charts, in the order in which cuts are sought.
+SeamPart partToCut(const LaidCharts& charts, const OpenSurface& open,
+                   const IdVector<ChartId, std::uint8_t>& isLarge) {
+  if (countOf(isLarge) == isLarge.size()) return inGeometricOrder(open.mesh);
+  const CutSurface cut = cutAlong(open.mesh, open.seams);
+  IdVector<CutChartId, std::uint8_t> isWanted(cut.charts.size(), 0);
+  for (const ChartId i : charts.set.ids())
+    isWanted[cut.chartOfTriangle[charts.set.topology(i).triangles.front()]] = isLarge[i];
+  const SeamPart between = extractCharts(open.mesh, cut, isWanted);
+  SeamPart out = inGeometricOrder(between.mesh);
+  out.embedIn(between);
+  return out;
+}
+
 /// `part`: the surface in the order in which cuts are sought.
 FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open, const SeamPart& part) {
   const LaidCharts& charts = packed.charts;
   FlatSurface out;
-  out.surface = cutAlong(part.mesh, part.ofCorners(open.seams));
-  const IdVector<SurfaceCorner, SurfaceCorner> inPart = part.cornersInPart();
+  Seams seams = part.ofCorners(open.seams);
+  for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] && part.mesh.twin[h].exists();
+  out.surface = cutAlong(part.mesh, seams);
+  IdVector<SurfaceCorner, SurfaceCorner> inPart(open.mesh.twin.size());
+  for (const SurfaceCorner h : part.wholeHalfEdge.ids()) inPart[part.wholeHalfEdge[h]] = h;
   out.at.resize(out.surface.vertexCount());
   out.canCut.assign(out.surface.charts.size(), 0);
   out.density.assign(out.surface.charts.size(), 1);
@@ -50,7 +88,9 @@ FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open, con
   for (const ChartId i : charts.set.ids()) {
     const ChartTopology chart = charts.set.topology(i);
     const FlatChart& flat = charts.flat[i];
-    const CutChartId cutChart = out.surface.chartOf(inPart[cornerOf(chart.triangles.front(), 0)]);
+    const SurfaceCorner first = inPart[cornerOf(chart.triangles.front(), 0)];
+    if (!first.exists()) continue;
+    const CutChartId cutChart = out.surface.chartOf(first);
     out.canCut[cutChart] = flat.problem.empty();
     out.density[cutChart] = packed.density(i);
     area += flat.area;
@@ -180,13 +220,16 @@ class RoomSearch {
 
 }  // namespace
 
-RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t count) {
-  constexpr std::size_t kMostToCut = 64, kMostToCutLong = 512;
+RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts) {
+  constexpr std::size_t kMostToCutLong = 512;
   const auto isFixed = [](const FlatChart& c) { return c.isFixed; };
   if (options.minUtilization == 0 || options.texelDensity != kAutoTexelDensity ||
-      !options.seams.isAuto || options.t != kAutoT || count > kMostToCutLong ||
+      !options.seams.isAuto || options.t != kAutoT ||
       std::any_of(flat.begin(), flat.end(), isFixed))
     return RoomMode::None;
+  const std::size_t large = countOf(largeCharts(flat, cuts)),
+                    count = large > cuts ? large - cuts : 0;
+  if (large == 0 || count > kMostToCutLong) return RoomMode::None;
   const bool isAny = !options.straightSeams && count <= kMostToCut;
   return isAny ? RoomMode::All : RoomMode::Long;
 }
@@ -198,12 +241,12 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   constexpr int kCells = 96, kCellsForLong = 192;  // parts of long charts are narrow
   const RoomWish wish = wishOf(options);
   RoomCuts out;
-  const RoomMode mode = roomMode(options, packed.charts.flat, packed.charts.set.size());
+  const RoomMode mode = roomMode(options, packed.charts.flat, 0);
   if (mode == RoomMode::None || !(utilization > 0)) return out;
   const auto gainTo = [&](double share) { return portable::log(share / utilization) / 2; };
   const double wanted = gainTo(wish.utilization);
   if (!(wanted > kLeast)) return out;
-  const SeamPart part = inGeometricOrder(open.mesh);
+  const SeamPart part = partToCut(packed.charts, open, largeCharts(packed.charts.flat, 0));
   const FlatSurface surface = flatSurface(packed, open, part);
   const auto fittingOn = [&](int cells) {
     const QuickFit fit(options.resolution, options.padding, options.rotate, cells);

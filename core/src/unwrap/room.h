@@ -20,8 +20,9 @@ struct RoomCuts {
 enum class RoomMode { None, Long, All };
 
 /// None unless all charts are to be packed, as densely as one tile allows, and nothing but seams
-/// and straight lines limits how they are stretched. `count`: number of charts before any cut.
-RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t count);
+/// and straight lines limits how they are stretched. Specks, which find a place between the others,
+/// do not count. `cuts`: how many of the charts come from cuts.
+RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts);
 
 /// Finds cuts that are worth their length; empty if there are none. `utilization`: that of the
 /// charts without cuts. `goesOn` is called now and then; when it returns false, the result is

@@ -105,7 +105,7 @@ std::string roomNote(const PackedCharts& packed, const SurfaceMap& map,
   const Occupants occupants = occupantsOf(charts);
   if (isAuto && !occupants.isAnyLong) return {};
   const auto cuts = std::min(static_cast<std::size_t>(atlas.packingCuts), charts.set.size());
-  const RoomMode mode = roomMode(options, charts.flat, charts.set.size() - cuts);
+  const RoomMode mode = roomMode(options, charts.flat, cuts);
   return "charts cover " + shareText(reached, asked) + ": " +
          reason(occupants, mode, charts.flat, map, options);
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/long_sum.h"
 #include "base/number_text.h"
 #include "cut/filled_table.h"
 #include "hole/fill_holes.h"
@@ -17,6 +18,7 @@
 #include "seam/plates.h"
 #include "seam/prediction.h"
 #include "seam/seam_value.h"
+#include "unwrap/expected_density.h"
 
 namespace abflat {
 namespace {
@@ -79,6 +81,8 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   if (options.seamCosts == SeamCosts::Length) out.prices = SeamPrices::none();
   out.symmetricSeams = options.symmetricSeams;
   out.fillHoles = options.fillHoles;
+  constexpr double kSpeckTexels = 16;
+  out.speck = kSpeckTexels / expectedDensity(options, open.mesh.totalArea(), open.unit);
   if (options.udim)  // each chart has to fit a tile
     out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
   out.pool = &pool;
@@ -107,6 +111,7 @@ bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8
   const SeamPart part = extractCharts(open.mesh, surface, isWanted);
   const bool hasRanks = !open.eliminationRanks.empty();
   if (hasRanks) options.eliminationRanks = part.ofVertices(open.eliminationRanks);
+  options.mirror = open.mirror.ofPart(part);
   open.seams.resize(open.mesh.twin.size(), 0);
   open.found.resize(open.mesh.twin.size(), 0);
   Seams given;
@@ -171,6 +176,8 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
     open.scale = std::move(found.scale);
     open.found = std::move(found.found);
     open.foundScale = std::move(found.foundScale);
+    open.mirror = std::move(found.mirror);
+    open.otherwise = std::move(found.otherwise);
     return;
   }
   const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
@@ -231,20 +238,65 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapO
   OpenSurface other = openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool,
                                keepsOn, report, &open);
   if (report.cancelled) found.cancelled = true;
-  const SeamPrices prices = seamOptions(options, open, pool, keepsOn).prices;
-  const auto costOf = [&](const OpenSurface& x, const SeamReport& told) {
-    return seamCost(x) + prices.chart * told.charts + prices.ofStretch(told.stretch);
+  const SeamOptions how = seamOptions(options, open, pool, keepsOn);
+  // Of symmetric seams less is known than of those that they were preferred to.
+  const auto costOf = [&](const OpenSurface& x) {
+    const bool isSure = x.otherwise.seams.empty();
+    return costOfWhole(x.mesh, isSure ? x.seams : x.otherwise.seams,
+                       isSure ? x.scale : x.otherwise.scale, how.maxStretch, how.prices);
   };
-  if (report.cancelled || !(costOf(other, report) < costOf(open, found))) return;
+  // On the surface that is open there, the borders no longer know what they cost.
+  double ofBorders = 0;
+  for (const SurfaceCorner h : borders.ids())
+    if (borders[h] && !other.mesh.twin[h].exists()) ofBorders += open.mesh.cost[h] / 2;
+  ofBorders /= std::sqrt(open.mesh.totalArea());
+  if (report.cancelled || !(costOf(other) + ofBorders < costOf(open))) return;
   open = std::move(other);
   found = std::move(report);
+}
+
+/// The larger value of each chart and its mirror image, so that both are cut alike.
+IdVector<CutChartId, double> withImages(const OpenSurface& open, const CutSurface& s,
+                                        IdVector<CutChartId, double> excess) {
+  IdVector<CutChartId, CutChartId> image(excess.size());
+  for (const SurfaceCorner h : open.mirror.image.ids()) {
+    const SurfaceCorner there = open.mirror.image[h];
+    // The mirror turns the surface around, so what is on the left comes to the right.
+    if (there.exists() && s.twin[h].exists())
+      image[s.chartOf(h)] = s.chartOf(open.mesh.twin[there]);
+  }
+  IdVector<CutChartId, double> out = excess;
+  for (const CutChartId c : image.ids())
+    if (image[c].exists() && image[image[c]] == c)
+      out[image[c]] = std::max(out[image[c]], excess[c]);
+  return out;
+}
+
+/// Whether much of the surface, cut symmetrically, was stretched much more than expected.
+bool isWorseThanExpected(const OpenSurface& open, const CutSurface& s,
+                         const IdVector<CutChartId, double>& excess) {
+  constexpr double kMuchMore = 1.35, kMuch = 0.5;
+  double area = 0;
+  for (const CutChartId c : s.charts.ids())
+    if (excess[c] > kMuchMore) area += s.charts[c].area;
+  return !open.otherwise.seams.empty() && area > kMuch * open.mesh.totalArea();
+}
+
+/// Goes back to the seams that symmetric ones were preferred to.
+void takeOther(OpenSurface& open) {
+  open.mirror = Mirror();
+  open.seams = std::move(open.otherwise.seams);
+  open.found = std::move(open.otherwise.found);
+  open.scale = std::move(open.otherwise.scale);
+  open.foundScale = std::move(open.otherwise.foundScale);
+  open.otherwise = KnownSeams();
 }
 
 std::string asymmetryNote(Asymmetry why) {
   const std::string what = "seams are not symmetric: ";
   if (why == Asymmetry::NoPlane) return what + "the mesh is not its own mirror image";
   if (why == Asymmetry::SeamsGiven) return what + "some seams or islands were given";
-  return what + "the mirror plane would cut a face or a filled hole";
+  return what + "charts would be stretched too much or overlap themselves";
 }
 
 }  // namespace
@@ -274,11 +326,11 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Unw
   return open;
 }
 
-bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
-                  const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
-                  OpenSurface& open) {
+Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
+                     const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                     OpenSurface& open) {
   const auto isAsked = [](const Stretched& chart) { return chart.stretch > 0; };
-  if (std::none_of(charts.begin(), charts.end(), isAsked)) return false;
+  if (std::none_of(charts.begin(), charts.end(), isAsked)) return Further::Nothing;
   const CutSurface s = cutAlong(open.mesh, open.seams);
   const Prediction expected = predictStretch(open.mesh, s, open.scale);
   IdVector<CutChartId, double> excess(s.charts.size(), 0);  // 0: leave the chart alone
@@ -301,6 +353,12 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
                                              : above(charts[i].stretch) / told;
     excess[c] = std::min(found, std::max(kMost, leastToCut));
   }
+  if (isWorseThanExpected(open, s, excess)) {
+    takeOther(open);
+    return Further::Replaced;
+  }
+  open.otherwise = KnownSeams();
+  excess = withImages(open, s, std::move(excess));
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
   for (const SurfaceTriangle f : open.mesh.triangles())
     if (const double x = excess[s.chartOfTriangle[f]]; x > 0) open.mesh.excess[f] = x;
@@ -311,7 +369,7 @@ bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& chart
   SeamReport found;
   const bool isAnyFound = findWithin(
       apart, isWanted, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
-  return isAnyFound || isAnyRestored;
+  return isAnyFound || isAnyRestored ? Further::Cut : Further::Nothing;
 }
 
 bool halve(const ChartSet& set, const IdVector<ChartId, std::uint8_t>& isAsked,
@@ -379,23 +437,19 @@ void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& su
   summary.relativeLength = size > 0 ? length / size : 0;
 }
 
-void measureSeams(const PolygonMesh& mesh, const CornerTable& table, const Seams& visible,
-                  SeamSummary& summary) {
-  double length = 0, area = 0;
+void measureSeams(const std::vector<double>& positions, const CornerTable& table,
+                  const Seams& visible, SeamSummary& summary) {
+  LongSum length, area;
   for (const SurfaceTriangle f : table.triangles()) {
-    const auto side = [&](std::size_t k) {
-      return edgeVector(mesh.positions, table.vertex[cornerOf(f, k)],
-                        table.vertex[cornerOf(f, (k + 1) % 3)]);
-    };
-    area += norm(cross(side(0), side(1))) / 2;
+    area.add(areaOf(positions, verticesOf(table.vertex, f)));
     for (const SurfaceCorner h : cornersOf(f)) {
       if (!visible[h]) continue;
-      length += norm(side(placeInTriangle(h))) / 2;
+      length.add(norm(edgeVector(positions, table.vertex[h], table.vertex[nextCorner(h)])) / 2);
       ++summary.edges;
     }
   }
   summary.edges /= 2;
-  summary.relativeLength = area > 0 ? length / std::sqrt(area) : 0;
+  summary.relativeLength = area.value() > 0 ? length.value() / std::sqrt(area.value()) : 0;
 }
 
 double seamCost(const OpenSurface& open) {

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "chart/chart_set.h"
 #include "mesh/surface_map.h"
+#include "seam/find_seams.h"
 #include "seam/scale_seams.h"
 #include "unwrap/fixed.h"
 
@@ -27,6 +28,8 @@ struct OpenSurface {
   EliminationRanks eliminationRanks;  ///< of `mesh`
   LogScales scale;                    ///< expected
   LogScales foundScale;               ///< expected, before seams were shortened
+  Mirror mirror;                      ///< what the seams are symmetric to, if they are
+  KnownSeams otherwise;               ///< to be used if symmetric seams are worse than expected
 };
 
 /// A surface before it is cut.
@@ -56,12 +59,18 @@ struct Stretched {
   bool isInvalid = false;  ///< and has not been refined
 };
 
+/// What cutting further has done.
+enum class Further : std::uint8_t {
+  Nothing,  ///< none of the charts can be cut so that less stretch is expected
+  Cut,
+  Replaced  ///< the seams are others; charts that stay as they are have not been tried yet
+};
+
 /// Cuts charts further that are invalid or stretched by more than `options.maxStretch`. New seams
-/// start from those found before, with a prediction corrected by the actual stretch. False if none
-/// of the charts can be cut so that less stretch is expected.
-bool cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
-                  const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
-                  OpenSurface& open);
+/// start from those found before, with a prediction corrected by the actual stretch.
+Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
+                     const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                     OpenSurface& open);
 
 /// Splits charts in two, whatever is predicted, and adds those to `isWhole` that cannot be split.
 /// False if none can be.
@@ -86,7 +95,7 @@ double seamCost(const OpenSurface& open);
 
 /// Sets the number of seam edges and their length.
 void measureSeams(const OpenSurface& open, const Seams& visible, SeamSummary& summary);
-void measureSeams(const PolygonMesh& mesh, const CornerTable& table, const Seams& visible,
-                  SeamSummary& summary);
+void measureSeams(const std::vector<double>& positions, const CornerTable& table,
+                  const Seams& visible, SeamSummary& summary);
 
 }  // namespace abflat

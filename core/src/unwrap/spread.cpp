@@ -25,20 +25,21 @@ SurfaceCorner copiedEdge(SurfaceTriangle f, std::size_t k, bool isMirrored) {
 
 class Spreader {
  public:
-  Spreader(const WeldedMesh& welded, const Stacks& stacks, const Surface& surface,
-           const OpenSurface& open, const LaidCharts& charts)
+  Spreader(const WeldedMesh& welded, const Surface& whole, const CornerMatch& match,
+           const Models& models)
       : welded_(welded),
-        whole_(stacks.whole),
-        model_(stacks.model),
-        models_(charts),
+        whole_(whole),
+        match_(match),
+        models_(models.charts),
         cells_{welded.mesh, facesOfCorners(welded.mesh), {}, {}, {}, {}, 0},
-        filled_(filledTable(open.mesh, open.inputVertex, open.seams)) {
-    edge_.resize(model_.size());
+        filled_(filledTable(models.open.mesh, models.open.inputVertex, models.open.seams)) {
+    edge_.resize(match_.size());
+    const Surface& surface = models.surface;
     for (const SurfaceCorner h : surface.table.corners())
       if (!surface.triangulation.isDiagonal[h]) edge_[surface.triangulation.corner[h]] = h;
     vertex_.resize(surface.table.vertex.size());
-    for (const ChartId i : charts.set.ids()) {
-      const ChartTopology chart = charts.set.topology(i);
+    for (const ChartId i : models_.set.ids()) {
+      const ChartTopology chart = models_.set.topology(i);
       for (const ChartCorner c : chart.surfaceCorners())
         vertex_[chart.onSurface(c)] = chart.vertexOfCorner[c];
     }
@@ -51,12 +52,12 @@ class Spreader {
       out.seams.push_back(whole_.table.twin[h].exists() && !table_.table.twin[h].exists());
     fillLikeModels();
     out.charts.set = makeCharts(welded_.mesh, table_);
-    IdVector<PolygonCorner, SurfaceTriangle> wholeTriangle(model_.size());
+    IdVector<PolygonCorner, SurfaceTriangle> wholeTriangle(match_.size());
     for (const SurfaceCorner c : whole_.table.corners()) wholeTriangle[cornerAt(c)] = triangleOf(c);
     for (const ChartId i : out.charts.set.ids()) {
       const ChartTopology chart = out.charts.set.topology(i);
       const PolygonCorner c = cornerAt(cornerOf(chart.triangles.front(), 0));
-      out.modelOf.push_back(out.charts.set.ofTriangle[wholeTriangle[model_[c]]]);
+      out.modelOf.push_back(out.charts.set.ofTriangle[wholeTriangle[match_[c]]]);
       out.charts.flat.push_back(layoutOf(chart));
     }
     return out;
@@ -73,11 +74,11 @@ class Spreader {
   }
 
   PolygonCorner cornerAt(SurfaceCorner c) const { return whole_.triangulation.corner[c]; }
-  bool isMirrored(PolygonCorner c) const { return isMirroredAt(cells_, model_, c); }
+  bool isMirrored(PolygonCorner c) const { return isMirroredAt(cells_, match_, c); }
 
   /// The half-edge of the models that corresponds to the side of a polygon that leaves a corner.
   SurfaceCorner modelEdge(PolygonCorner c) const {
-    return edge_[isMirrored(c) ? cells_.prev(model_[c]) : model_[c]];
+    return edge_[isMirrored(c) ? cells_.prev(match_[c]) : match_[c]];
   }
 
   void cutLikeModels() {
@@ -157,14 +158,14 @@ class Spreader {
 
   FlatChart layoutOf(const ChartTopology& chart) const {
     const PolygonCorner first = cornerAt(cornerOf(chart.triangles.front(), 0));
-    const ChartId k = models_.set.ofTriangle[triangleOf(edge_[model_[first]])];
+    const ChartId k = models_.set.ofTriangle[triangleOf(edge_[match_[first]])];
     const FlatChart& from = models_.flat[k];
     FlatChart out = copyOf(from);
     const double side = isMirrored(first) ? -1 : 1;
     out.uv.resize(2 * chart.vertexCount());
     out.unpacked.resize(out.uv.size());
     for (const ChartCorner c : chart.surfaceCorners()) {
-      const ChartVertex at = vertex_[edge_[model_[cornerAt(chart.onSurface(c))]]];
+      const ChartVertex at = vertex_[edge_[match_[cornerAt(chart.onSurface(c))]]];
       const ChartVertex v = chart.vertexOfCorner[c];
       setPoint(out.uv, v, pointAt(from.uv, at));
       // Before packing, it is the layout of its own chart, counter-clockwise.
@@ -188,7 +189,7 @@ class Spreader {
 
   const WeldedMesh& welded_;
   const Surface& whole_;
-  const CornerMatch& model_;
+  const CornerMatch& match_;
   const LaidCharts& models_;
   const Cells cells_;
   const FilledTable filled_;                     ///< of the models
@@ -202,9 +203,9 @@ class Spreader {
 
 }  // namespace
 
-SpreadCharts spread(const WeldedMesh& welded, const Stacks& stacks, const Surface& surface,
-                    const OpenSurface& open, const LaidCharts& charts) {
-  return Spreader(welded, stacks, surface, open, charts).run();
+SpreadCharts spread(const WeldedMesh& welded, const Surface& whole, const CornerMatch& match,
+                    const Models& models) {
+  return Spreader(welded, whole, match, models).run();
 }
 
 }  // namespace abflat

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "unwrap/packed_charts.h"
-#include "unwrap/stacks.h"
+#include "alike/find_alike.h"
+#include "unwrap/laid_charts.h"
+#include "unwrap/seams.h"
 
 namespace abflat {
 
@@ -12,10 +13,17 @@ struct SpreadCharts {
   IdVector<ChartId, ChartId> modelOf;  ///< the chart that each lies on; itself if on none
 };
 
+/// The parts of a surface that others lie on, cut and laid out.
+struct Models {
+  const Surface& surface;
+  const OpenSurface& open;
+  const LaidCharts& charts;
+};
+
 /// Cuts the whole surface as its models are cut, and puts each chart on that of its model: all
-/// coordinates in the atlas are the same, bit by bit. `surface`, `open` and `charts` are those of
-/// the models.
-SpreadCharts spread(const WeldedMesh& welded, const Stacks& stacks, const Surface& surface,
-                    const OpenSurface& open, const LaidCharts& charts);
+/// coordinates in the atlas are the same, bit by bit. `match`: per corner of the polygons, that of
+/// its model.
+SpreadCharts spread(const WeldedMesh& welded, const Surface& whole, const CornerMatch& match,
+                    const Models& models);
 
 }  // namespace abflat

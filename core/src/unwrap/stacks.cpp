@@ -1,128 +1,96 @@
 #include "unwrap/stacks.h"
 
-#include <algorithm>
+#include <numeric>
 #include <utility>
 
-#include "base/double_bits.h"
+#include "unwrap/spread.h"
 
 namespace abflat {
-namespace {
 
-using PartFlags = IdVector<PartId, std::uint8_t>;
+/// Charts of an earlier run that keep their places stay as they are.
+bool Stacks::mayStack() const { return options_.stack != Stack::None && !options_.keepsPlaces; }
 
-/// What tells faces of the same shape from each other: they share texels.
-std::uint64_t markOf(const SurfaceMap& map, InputFace f, const UnwrapOptions& options) {
-  const auto& materials = map.input().faceMaterials;
-  const double density = options.faceDensities.empty() ? 1 : options.faceDensities[f];
-  return bitsOf(density) * 31 + (materials.empty() ? 0 : materials[f]);
+void Stacks::leaveOutComponents(const UncutParts& parts) {
+  if (!mayStack()) return;
+  const CornerMatch found =
+      alikeComponents({input_, welded_, parts.surface}, parts.given, parts.fixed, options_, unfit_);
+  if (found.empty()) return;
+  const KeptTriangles kept(areModels(parts.surface, found));
+  parts.hard = kept.ofCorners(parts.hard);
+  parts.given = kept.ofCorners(parts.given);
+  parts.scales.ofTriangle = kept.ofTriangles(parts.scales.ofTriangle);
+  keepOnly(kept, parts.surface, parts.fixed);
+  addMatch(found);
 }
 
-Cells markedCells(const SurfaceMap& map, const IdVector<SurfaceTriangle, PartId>& part,
-                  const IdVector<SurfaceCorner, SurfaceCorner>& twin, std::size_t parts,
-                  const UnwrapOptions& options) {
-  Cells out = cellsOf(map.welded().mesh, map.surface().triangulation, part, twin, parts);
-  for (const PolygonFace f : out.part.ids())
-    out.faceMark[f] = markOf(map, map.welded().inputFace[f], options);
-  return out;
+bool Stacks::leaveOutCharts(const IdVector<ChartId, ChartWishes>& wishes, const CutParts& parts) {
+  if (!mayStack()) return false;
+  const CutMesh mesh{{input_, welded_, parts.surface}, parts.charts.set};
+  const CornerMatch found = alikeCharts(mesh, wishes, parts.charts.flat, options_, unfit_);
+  if (found.empty()) return false;
+  const IdVector<SurfaceTriangle, std::uint8_t> isKept = areModels(parts.surface, found);
+  parts.open = keptCharts(parts.open, isKept);
+  LaidCharts all = std::move(parts.charts);
+  parts.charts = {chartsOf(welded_, parts.open), {}};
+  // Charts are in the order of their first triangles, before and after.
+  for (const ChartId i : all.set.ids())
+    if (isKept[all.set.topology(i).triangles.front()])
+      parts.charts.flat.push_back(std::move(all.flat[i]));
+  keepOnly(KeptTriangles(isKept), parts.surface, parts.fixed);
+  addMatch(found);
+  return true;
 }
 
-/// Parts with faces that do not fit, or that have lost corners: a later run has to find the
-/// triangles of this one.
-PartFlags oddParts(const SurfaceMap& map, const Cells& cells, const UnfitFaces& unfit) {
-  PartFlags out(cells.parts, 0);
-  const std::vector<std::uint32_t>& offsets = map.input().faceOffsets;
-  IdVector<InputFace, std::uint8_t> isUnfit(map.input().faceCount(), 0);
-  for (const std::uint32_t f : unfit) isUnfit[InputFace(f)] = 1;
-  for (const PolygonFace f : cells.part.ids()) {
-    const InputFace face = map.welded().inputFace[f];
-    const bool isWhole = cells.size(f) == offsets[face + 1] - offsets[face];
-    if (cells.part[f].exists() && (isUnfit[face] || !isWhole)) out[cells.part[f]] = 1;
-  }
-  return out;
+void Stacks::keepOnly(const KeptTriangles& kept, Surface& surface, FixedTriangles& fixed) {
+  Surface part = kept.surface(surface, welded_.mesh.vertexCount());
+  fixed = kept.fixed(std::move(fixed));
+  if (!isAny()) whole_ = std::move(surface);
+  surface = std::move(part);
 }
 
-bool isAnyMatched(const CornerMatch& match) {
-  for (const PolygonCorner c : match.ids())
-    if (match[c].exists() && match[c] != c) return true;
-  return false;
-}
-
-CornerMatch matchOf(const Cells& cells, const PartFlags& isLeftOut, const UnwrapOptions& options) {
-  CornerMatch out = findAlike(cells, isLeftOut, options.stack == Stack::Mirrored);
-  return isAnyMatched(out) ? std::move(out) : CornerMatch();
-}
-
-}  // namespace
-
-bool mayStack(const UnwrapOptions& options) {
-  return options.stack != Stack::None && !options.keepsPlaces;
-}
-
-CornerMatch alikeComponents(const SurfaceMap& map, const Seams& given, const FixedTriangles& fixed,
-                            const UnwrapOptions& options, const UnfitFaces& unfit) {
-  const CornerTable& table = map.surface().table;
-  const Components components = findComponents(table);
-  IdVector<SurfaceTriangle, PartId> part;
-  for (const ComponentId i : components.ofTriangle) part.push_back(PartId(std::uint32_t{i}));
-  const std::size_t parts = components.firstTriangle.size();
-  Cells cells = markedCells(map, part, table.twin, parts, options);
-  PartFlags isLeftOut = oddParts(map, cells, unfit);
-  for (const SurfaceCorner h : given.ids())
-    if (given[h]) cells.edgeMark[map.surface().triangulation.corner[h]] = 1;
-  for (const SurfaceTriangle f : fixed.isFixed.ids())
-    if (fixed.isFixed[f]) isLeftOut[part[f]] = 1;
-  IdVector<InputVertex, std::uint8_t> isPinned(map.input().vertexCount(), 0);
-  for (const Pin& pin : options.pins)
-    if (pin.vertex < isPinned.size()) isPinned[InputVertex(pin.vertex)] = 1;
-  for (const SurfaceCorner c : table.corners())
-    if (isPinned[map.vertex(c)]) isLeftOut[part[triangleOf(c)]] = 1;
-  return matchOf(cells, isLeftOut, options);
-}
-
-CornerMatch alikeCharts(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wishes,
-                        const FlatCharts& flat, const UnwrapOptions& options,
-                        const UnfitFaces& unfit) {
-  const SurfaceMap& map = mesh.map;
-  IdVector<SurfaceTriangle, PartId> part;
-  for (const ChartId i : mesh.set.ofTriangle) part.push_back(PartId(std::uint32_t{i}));
-  IdVector<SurfaceCorner, SurfaceCorner> twin(3 * part.size());
-  IdVector<SurfaceCorner, std::uint8_t> straight(twin.size(), 0);
-  for (const ChartId i : mesh.set.ids()) {
-    const ChartTopology chart = mesh.set.topology(i);
-    for (const ChartCorner c : chart.surfaceCorners())
-      if (const ChartCorner o = chart.twin[c]; o.exists() && o < chart.surfaceCorners().size())
-        twin[chart.onSurface(c)] = chart.onSurface(o);
-    const StraightPlaces& places = wishes[i].straight;
-    for (const BoundaryIndex k : places.ids())
-      straight[chart.onSurface(chart.boundary[k])] =
-          places[k] + places[BoundaryIndex((k + 1) % places.size())];
-  }
-  Cells cells = markedCells(map, part, twin, mesh.set.size(), options);
-  PartFlags isLeftOut = oddParts(map, cells, unfit);
-  for (const SurfaceCorner h : straight.ids())
-    if (straight[h]) cells.edgeMark[map.surface().triangulation.corner[h]] = straight[h];
-  for (const ChartId i : flat.ids())
-    if (flat[i].isFixed || !flat[i].problem.empty()) isLeftOut[PartId(std::uint32_t{i})] = 1;
-  return matchOf(cells, isLeftOut, options);
-}
-
-IdVector<SurfaceTriangle, std::uint8_t> areModels(const Surface& surface,
-                                                  const CornerMatch& model) {
-  IdVector<SurfaceTriangle, std::uint8_t> out;
-  for (const SurfaceTriangle f : surface.table.triangles()) {
-    const PolygonCorner c = surface.triangulation.corner[cornerOf(f, 0)];
-    out.push_back(model[c] == c);
-  }
-  return out;
-}
-
-void addMatch(const CornerMatch& found, Stacks& stacks) {
-  if (!stacks.isAny()) {
-    stacks.model = found;
+/// `found`: within what has been left in so far.
+void Stacks::addMatch(const CornerMatch& found) {
+  if (!isAny()) {
+    model_ = found;
     return;
   }
-  for (PolygonCorner& c : stacks.model)
+  for (PolygonCorner& c : model_)
     if (c.exists()) c = found[c];
+}
+
+Seams Stacks::addAgain(const CutParts& parts) {
+  SpreadCharts all = spread(welded_, whole_, model_, {parts.surface, parts.open, parts.charts});
+  parts.surface = std::move(whole_);
+  parts.charts = std::move(all.charts);
+  modelOf_ = std::move(all.modelOf);
+  model_ = CornerMatch();
+  return std::move(all.seams);
+}
+
+void Stacks::check(const UnwrapReport& report) {
+  const auto below = [&](ChartId i) {
+    const int on = report.charts[i].stackedOn;
+    return on < 0 ? i : ChartId(on);
+  };
+  for (const ChartId i : modelOf_.ids()) {
+    const ChartId model = modelOf_[i];
+    if (below(i) != below(model) || report.charts[i].valid != report.charts[model].valid)
+      unfit_.push_back(report.charts[i].firstFace);
+  }
+}
+
+Result<UnwrapResult> untilStacksFit(std::size_t faces,
+                                    const std::function<Result<UnwrapResult>(UnfitFaces&)>& run) {
+  constexpr int kMostRuns = 4;
+  UnfitFaces unfit;
+  for (int k = 1;; ++k) {
+    const std::size_t before = unfit.size();
+    Result<UnwrapResult> out = run(unfit);
+    if (!out.ok() || unfit.size() == before) return out;
+    if (k < kMostRuns) continue;
+    unfit.resize(faces);
+    std::iota(unfit.begin(), unfit.end(), 0u);
+  }
 }
 
 }  // namespace abflat

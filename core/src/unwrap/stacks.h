@@ -1,39 +1,73 @@
 #pragma once
 
-#include "alike/find_alike.h"
-#include "unwrap/fixed.h"
+#include <functional>
+
+#include "unwrap/alike_parts.h"
 #include "unwrap/kept.h"
 
 namespace abflat {
 
-/// Which parts of the surface lie on others. Only one of each kind is cut, laid out and packed.
-struct Stacks {
-  Surface whole;      ///< before parts were left out
-  CornerMatch model;  ///< per corner of its polygons, the one whose uv it gets
-
-  bool isAny() const { return !model.empty(); }
+/// A surface that is to be cut, and what is known of its triangles and half-edges.
+struct UncutParts {
+  Surface& surface;
+  FixedTriangles& fixed;
+  Seams &hard, &given;
+  Scales& scales;
 };
 
-/// Faces of the input that have been found not to fit where they would lie.
-using UnfitFaces = std::vector<std::uint32_t>;
+/// A surface that has been cut.
+struct CutParts {
+  Surface& surface;
+  FixedTriangles& fixed;
+  OpenSurface& open;
+  LaidCharts& charts;
+};
 
-/// Whether charts may be stacked at all. Those of an earlier run stay as they are.
-bool mayStack(const UnwrapOptions& options);
+/// Leaves parts out of a run that are to lie on others of equal shape, and adds them again at its
+/// end. Does nothing unless the options ask for it.
+class Stacks {
+ public:
+  /// Faces of `unfit` are left alone; check() adds others.
+  Stacks(const PolygonMesh& input, const WeldedMesh& welded, const UnwrapOptions& options,
+         UnfitFaces& unfit)
+      : input_(input), welded_(welded), options_(options), unfit_(unfit) {}
 
-/// Finds the components of the surface that are alike: with the same given seams, material and
-/// density, and nothing fixed or pinned. Empty if no two are.
-CornerMatch alikeComponents(const SurfaceMap& map, const Seams& given, const FixedTriangles& fixed,
-                            const UnwrapOptions& options, const UnfitFaces& unfit);
+  /// Of components that are alike, leaves one in.
+  void leaveOutComponents(const UncutParts& parts);
 
-/// Finds the charts that are alike.
-CornerMatch alikeCharts(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wishes,
-                        const FlatCharts& flat, const UnwrapOptions& options,
-                        const UnfitFaces& unfit);
+  /// Of charts that are alike, leaves one in. False if all remain.
+  bool leaveOutCharts(const IdVector<ChartId, ChartWishes>& wishes, const CutParts& parts);
 
-/// Per triangle of a surface, whether it is part of a model.
-IdVector<SurfaceTriangle, std::uint8_t> areModels(const Surface& surface, const CornerMatch& model);
+  /// Whether anything is left out.
+  bool isAny() const { return !model_.empty(); }
 
-/// Adds what has been found within the models of `stacks`.
-void addMatch(const CornerMatch& found, Stacks& stacks);
+  /// Puts all that was left out on what it is like. Returns the seams of the whole surface.
+  Seams addAgain(const CutParts& parts);
+
+  /// Then: the chart that each lies on, which is itself if that is none. Empty if nothing was left
+  /// out.
+  const IdVector<ChartId, ChartId>& modelOf() const { return modelOf_; }
+
+  /// Lists charts that the certificate has not found on their models, or only turned over.
+  void check(const UnwrapReport& report);
+
+ private:
+  bool mayStack() const;
+  void keepOnly(const KeptTriangles& kept, Surface& surface, FixedTriangles& fixed);
+  void addMatch(const CornerMatch& found);
+
+  const PolygonMesh& input_;
+  const WeldedMesh& welded_;
+  const UnwrapOptions& options_;
+  UnfitFaces& unfit_;
+  Surface whole_;      ///< before parts were left out
+  CornerMatch model_;  ///< per corner of its polygons, the one whose uv it gets
+  IdVector<ChartId, ChartId> modelOf_;
+};
+
+/// Runs again without stacking what turns out not to fit: rarely, polygons of a copy whose own
+/// triangles turn over in the layout of others.
+Result<UnwrapResult> untilStacksFit(std::size_t faces,
+                                    const std::function<Result<UnwrapResult>(UnfitFaces&)>& run);
 
 }  // namespace abflat

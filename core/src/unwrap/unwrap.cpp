@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "abflat/mesh.h"
@@ -35,9 +34,9 @@
 #include "unwrap/room_note.h"
 #include "unwrap/seams.h"
 #include "unwrap/spacing.h"
-#include "unwrap/spread.h"
 #include "unwrap/stacks.h"
 #include "unwrap/turned.h"
+#include "unwrap/unseen.h"
 
 namespace abflat {
 namespace {
@@ -59,10 +58,10 @@ class Unwrapping {
  public:
   /// The mesh and lengths in the options are scaled to units of 2^exponent.
   Unwrapping(const PolygonMesh& input, const UnwrapOptions& options, int exponent,
-             UnfitFaces unfit = {})
+             UnfitFaces& unfit)
       : input_(input),
         options_(options),
-        unfit_(std::move(unfit)),
+        stacks_(input, welded_, options, unfit),
         unit_(std::ldexp(1.0, exponent)),
         monitor_(options.progress) {}
 
@@ -85,9 +84,6 @@ class Unwrapping {
     return std::move(out_);
   }
 
-  /// Faces that do not fit where they lie on others. Given to another run, that leaves them alone.
-  UnfitFaces unfit() { return std::move(unfit_); }
-
  private:
   SurfaceMap map() const { return {input_, welded_, surface_}; }
   CutMesh cutMesh() const { return {map(), charts_.set}; }
@@ -101,7 +97,7 @@ class Unwrapping {
             *pool_,
             charts_,
             packing_,
-            densitiesOf(cutMesh(), options_.faceDensities)};
+            densitiesOf(cutMesh(), options_.faceDensities, truePositions_)};
   }
 
   Status checkInput() const {
@@ -140,7 +136,10 @@ class Unwrapping {
   void weldAndSee(const PolygonMesh& mesh, bool byPosition, const VertexPairs& joined,
                   const Pulse& pulse) {
     if (!pulse.isStopped()) welded_ = weld(mesh, byPosition, pulse, joined);
-    if (!pulse.isStopped()) surface_ = buildSurface(welded_.mesh, pulse);
+    if (pulse.isStopped()) return;
+    surface_ = buildSurface(welded_.mesh, pulse, [this](const CornerTable& table) {
+      return fineLength(welded_, table, options_, unit_);
+    });
   }
 
   Status cut() {
@@ -154,7 +153,8 @@ class Unwrapping {
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
-    leaveOutComponents(hard, given.value, scales);
+    stacks_.leaveOutComponents({surface_, fixed_, hard, given.value, scales});
+    if (fixed_.isFixed.empty()) hideUnseen();
     Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
         {welded_, unit_, surface_}, {given.value, hard, scales, fixed_}, options_, *pool_,
@@ -165,43 +165,23 @@ class Unwrapping {
     return {};
   }
 
-  /// Of components that are alike, goes on with one.
-  void leaveOutComponents(Seams& hard, Seams& given, Scales& scales) {
-    if (!mayStack(options_)) return;
-    const CornerMatch found = alikeComponents(map(), given, fixed_, options_, unfit_);
-    if (found.empty()) return;
-    const KeptTriangles kept(areModels(surface_, found));
-    addMatch(found, stacks_);
-    hard = kept.ofCorners(hard);
-    given = kept.ofCorners(given);
-    scales.ofTriangle = kept.ofTriangles(scales.ofTriangle);
-    keepOnly(kept);
+  /// Until the layout is measured.
+  void hideUnseen() {
+    Smoothed smoothed = withoutUnseen(welded_, surface_, options_, unit_, pulse_);
+    if (std::string note = unseenNote(smoothed); !note.empty())
+      report_.notes.push_back(std::move(note));
+    if (smoothed.triangles == 0) return;
+    truePositions_ = std::move(welded_.mesh.positions);
+    welded_.mesh.positions = std::move(smoothed.positions);
   }
 
-  /// Of charts that are alike, goes on with one.
-  Status leaveOutCharts() {
-    if (!mayStack(options_)) return {};
-    const CornerMatch found = alikeCharts(cutMesh(), wishes_, charts_.flat, options_, unfit_);
-    if (found.empty()) return {};
-    const auto isKept = areModels(surface_, found);
-    const KeptTriangles kept(isKept);
-    addMatch(found, stacks_);
-    open_ = keptCharts(open_, isKept);
-    LaidCharts all = std::move(charts_);
-    keepOnly(kept);
-    charts_ = {chartsOf(welded_, open_), {}};
-    // Charts are in the order of their first triangles, before and after.
-    for (const ChartId i : all.set.ids())
-      if (isKept[all.set.topology(i).triangles.front()])
-        charts_.flat.push_back(std::move(all.flat[i]));
-    return readWishes();
-  }
-
-  void keepOnly(const KeptTriangles& kept) {
-    Surface part = kept.surface(surface_, welded_.mesh.vertexCount());
-    fixed_ = kept.fixed(std::move(fixed_));
-    if (stacks_.whole.table.vertex.empty()) stacks_.whole = std::move(surface_);
-    surface_ = std::move(part);
+  /// Whatever is reported from here on is told of the true surface.
+  void showUnseen() {
+    if (truePositions_.empty()) return;
+    std::swap(welded_.mesh.positions, truePositions_);
+    measureUnseen(charts_.set, stacks_.modelOf(), truePositions_, welded_.mesh.positions, *pool_,
+                  charts_.flat);
+    truePositions_ = std::vector<double>();
   }
 
   /// Flattens all charts, and cuts those further that are stretched more than predicted.
@@ -216,7 +196,8 @@ class Unwrapping {
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve, tell); !s.ok()) return s;
     if (Status s = endSearch(tell); !s.ok()) return s;
     if (Status s = halveRuined(report_.timings.solve, tell); !s.ok()) return s;
-    rectifyAll(options_, *pool_, [&] { return tell(1); }, charts_);
+    rectifyAll(
+        options_, unit_, *pool_, [&] { return tell(1); }, charts_);
     return {};
   }
 
@@ -275,14 +256,16 @@ class Unwrapping {
   bool cutFurther(const std::function<bool()>& goesOn) {
     if (!canCut(options_)) return false;
     IdVector<ChartId, Stretched> charts;
-    for (FlatChart& chart : charts_.flat) {
+    for (const FlatChart& chart : charts_.flat) {
       const bool isAsked =
           (chart.isGivenUp() || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
       charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isGivenUp()});
-      // Cleared if its layout is not kept.
-      chart.isCutEnough = chart.isCutEnough || isAsked;
     }
-    return cutStretched(charts_.set, charts, options_, *pool_, goesOn, open_);
+    const Further done = cutStretched(charts_.set, charts, options_, *pool_, goesOn, open_);
+    // Charts whose layout is kept have been tried.
+    for (const ChartId i : charts.ids())
+      charts_.flat[i].isCutEnough |= done != Further::Replaced && charts[i].stretch > 0;
+    return done != Further::Nothing;
   }
 
   /// Remakes the charts of the surface with its present seams. Unchanged charts keep their layout;
@@ -314,9 +297,10 @@ class Unwrapping {
 
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), options_, charts_.flat); !s.ok()) return s;
-    if (Status s = leaveOutCharts(); !s.ok()) return s;
+    if (stacks_.leaveOutCharts(wishes_, {surface_, fixed_, open_, charts_}))
+      if (Status s = readWishes(); !s.ok()) return s;
     const FlatCharts& flat = charts_.flat;
-    const bool mayCut = roomMode(options_, flat, flat.size()) != RoomMode::None;
+    const bool mayCut = roomMode(options_, flat, 0) != RoomMode::None;
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForRoom();
     if (s.ok()) s = keepPartsApart();
@@ -449,33 +433,26 @@ class Unwrapping {
   void endCutting() {
     monitor_.tellAgain();
     measureStraight(charts_.set, charts_.flat);
+    Seams seams;
     if (stacks_.isAny()) {
-      addStacked();
+      seams = stacks_.addAgain({surface_, fixed_, open_, charts_});
+      texcoords_ = numberTexcoords(cutMesh());
+      measureSeams(truePositions_.empty() ? welded_.mesh.positions : truePositions_, surface_.table,
+                   seams, report_.seams);
     } else {
-      const Seams seams = visibleSeams(open_);
+      seams = visibleSeams(open_);
       measureSeams(open_, seams, report_.seams);
-      out_.seams = seamEdges(map(), seams);
     }
+    out_.seams = seamEdges(map(), seams);
     open_ = OpenSurface();
     wishes_ = IdVector<ChartId, ChartWishes>();
     charts_.set.eliminationRank = {};
   }
 
-  /// Puts the charts that were left out on those that they are like.
-  void addStacked() {
-    SpreadCharts all = spread(welded_, stacks_, surface_, open_, charts_);
-    surface_ = std::move(stacks_.whole);
-    charts_ = std::move(all.charts);
-    modelOf_ = std::move(all.modelOf);
-    texcoords_ = numberTexcoords(cutMesh());
-    measureSeams(welded_.mesh, surface_.table, all.seams, report_.seams);
-    out_.seams = seamEdges(map(), all.seams);
-    stacks_ = Stacks();
-  }
-
   Status finish() {
     packing_ = Packing();
     noteStretched(cutMesh(), charts_.flat, options_, report_.notes);
+    showUnseen();
     fillTexcoords(texcoords_, unit_, charts_.flat, out_);
     giveBackFreeMemory();
     fillReport(cutMesh(), charts_.flat, unit_, report_);
@@ -486,40 +463,27 @@ class Unwrapping {
     surface_ = Surface();
     texcoords_ = Texcoords();
     certify(input_, welded_, options_.roundsForGltf ? Numbers::Gltf : Numbers::Double, out_);
-    for (const ChartId i : modelOf_.ids())
-      if (isUnfit(i)) unfit_.push_back(report_.charts[i].firstFace);
+    stacks_.check(report_);
     if (options_.roundsForGltf) return {};
     if (std::string note = foldedFansNote(input_, out_); !note.empty())
       report_.notes.push_back(std::move(note));
     return {};
   }
 
-  /// Whether a chart that should lie on its model does not, or turns over there.
-  bool isUnfit(ChartId chart) const {
-    const auto lowest = [&](ChartId i) {
-      const int on = report_.charts[i].stackedOn;
-      return on < 0 ? i : ChartId(on);
-    };
-    const ChartId model = modelOf_[chart];
-    return lowest(chart) != lowest(model) ||
-           report_.charts[chart].valid != report_.charts[model].valid;
-  }
-
   const PolygonMesh& input_;
   const UnwrapOptions& options_;
-  UnfitFaces unfit_;
+  WeldedMesh welded_;
+  Stacks stacks_;
   const double unit_;
   Stopwatch watch_;
   Monitor monitor_;
   const Pulse pulse_{[this] { return monitor_.tellAgain(); }};
   UnwrapResult out_;
   UnwrapReport& report_ = out_.report;
-  WeldedMesh welded_;
+  std::vector<double> truePositions_;  ///< positions of the welded mesh, if it has others meanwhile
   Surface surface_;
   std::unique_ptr<ThreadPool> pool_;
   FixedTriangles fixed_;
-  Stacks stacks_;
-  IdVector<ChartId, ChartId> modelOf_;
   OpenSurface open_;
   LaidCharts charts_;
   Texcoords texcoords_;
@@ -529,22 +493,11 @@ class Unwrapping {
   Packing packing_;
 };
 
-/// Runs again without stacking what turns out not to fit: rarely, polygons of a copy whose own
-/// triangles turn over in the layout of others.
 Result<UnwrapResult> unwrapInUnits(const PolygonMesh& mesh, const UnwrapOptions& options,
                                    int exponent) {
-  constexpr int kMostRuns = 4;
-  UnfitFaces unfit;
-  for (int run = 1;; ++run) {
-    Unwrapping unwrapping(mesh, options, exponent, unfit);
-    Result<UnwrapResult> out = unwrapping.run();
-    const std::size_t before = unfit.size();
-    unfit = unwrapping.unfit();
-    if (!out.ok() || unfit.size() == before) return out;
-    if (run < kMostRuns) continue;
-    unfit.resize(mesh.faceCount());
-    std::iota(unfit.begin(), unfit.end(), 0u);
-  }
+  return untilStacksFit(mesh.faceCount(), [&](UnfitFaces& unfit) {
+    return Unwrapping(mesh, options, exponent, unfit).run();
+  });
 }
 
 Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& options) {

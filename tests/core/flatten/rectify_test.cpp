@@ -1,14 +1,13 @@
-#include "flatten/rectify_chart.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/constants.h"
+#include "base/point2.h"
 #include "boundary/chart_flattener.h"
 #include "catch.h"
 #include "flatten/level_runs.h"
-#include "base/point2.h"
+#include "flatten/rectify_chart.h"
 #include "refine/level_springs.h"
 #include "support/meshes.h"
 #include "support/problems.h"
@@ -151,9 +150,9 @@ TEST_CASE("the energy of level springs changes as differences say", "[rectify]")
   LevelEdges level;
   level.stiffness = 3;
   for (const BoundaryIndex i : bow.chart.boundary.ids())
-    level.edges.push_back({bow.chart.boundaryVertex(i),
-                           bow.chart.boundaryVertex(bow.chart.after(i)),
-                           static_cast<std::uint8_t>(i % 2), 0.5 + 0.1 * static_cast<double>(i % 3)});
+    level.edges.push_back(
+        {bow.chart.boundaryVertex(i), bow.chart.boundaryVertex(bow.chart.after(i)),
+         static_cast<std::uint8_t>(i % 2), 0.5 + 0.1 * static_cast<double>(i % 3)});
   const LevelSprings springs(level);
   std::vector<double> uv = bow.uv;
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(uv.size()));

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "abflat/flatten.h"
 #include "abflat/unwrap.h"
 #include "catch.h"
@@ -199,4 +201,43 @@ TEST_CASE("seams of real meshes meet the yardsticks", "[seams][quality]") {
     CHECK(report.seams.relativeLength <= 0.56 * y.length);
     CHECK(report.symmetricDirichlet <= UnwrapOptions().maxStretch);
   }
+}
+
+namespace {
+
+/// Octahedra far apart, with corners at different distances from their middles.
+PolygonMesh specks(unsigned count) {
+  std::vector<double> positions;
+  std::vector<std::uint32_t> triangles;
+  unsigned seed = 1;
+  for (unsigned i = 0; i < count; ++i) {
+    for (unsigned k = 0; k < 6; ++k) {
+      seed = seed * 1664525u + 1013904223u;
+      Vec3 at{10. * i, 0, 0};
+      at[k / 2] += (k % 2 ? -1 : 1) * (0.5 + (seed >> 8) / 16777216.0);
+      positions.insert(positions.end(), at.begin(), at.end());
+    }
+    for (const std::uint32_t v :
+         {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5})
+      triangles.push_back(6 * i + v);
+  }
+  return makeTriangleMesh(std::move(positions), std::move(triangles));
+}
+
+}  // namespace
+
+TEST_CASE("specks stay in one piece", "[seams]") {
+  constexpr unsigned kCount = 40;
+  const Cuttable c(specks(kCount));
+  SeamOptions options;
+  SeamReport apart, together;
+  findSeams(c.seamMesh, {}, options, &apart);
+  options.speck = std::numeric_limits<double>::infinity();
+  const Seams seams = findSeams(c.seamMesh, {}, options, &together);
+  CHECK(together.charts >= kCount);
+  CHECK(together.charts <= 1.25 * kCount);
+  CHECK(together.charts < 0.8 * apart.charts);
+  const Flattened flat = flattened(c, seams);
+  CHECK(flat.invalid == 0);
+  CHECK(flat.stretch <= options.maxStretch);
 }

@@ -93,3 +93,17 @@ TEST_CASE("front and back of a grille are a chart each", "[unwrap]") {
   for (const UnwrapChart& chart : r.value.report.charts) whole += chart.faces == 2 * front;
   CHECK(whole == 2);
 }
+
+TEST_CASE("a plate that is hardly any of the surface is left alone") {
+  PolygonMesh mesh = grille(3, 0.5);
+  const std::size_t alone = borderEdges(mesh);
+  REQUIRE(alone > 0);
+  for (const double side : {10., 1000.}) {
+    PolygonMesh both = mesh;
+    const auto first = static_cast<std::uint32_t>(both.vertexCount());
+    both.positions.insert(both.positions.end(), {0, 0, 9, side, 0, 9, 0, side, 9});
+    both.faceVertices.insert(both.faceVertices.end(), {first, first + 1, first + 2});
+    both.faceOffsets.push_back(static_cast<std::uint32_t>(both.faceVertices.size()));
+    CHECK(borderEdges(both) == (side < 100 ? alone : 0));
+  }
+}

@@ -261,7 +261,7 @@ export interface RepairReport {
   splitFaces: number[];
   /** Faces that repeat an earlier one, the second number; they become charts of their own. */
   duplicateFaces: [number, number][];
-  /** Edges with more than two faces, by their vertices; they were cut. */
+  /** Edges with more than two faces, by their vertices; all but the faces that continue each other were cut off. */
   nonManifoldEdges: [number, number][];
   /** Edges whose two faces run in the same direction, by their vertices; they were cut. */
   orientationConflicts: [number, number][];

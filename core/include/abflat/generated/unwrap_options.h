@@ -45,11 +45,11 @@ inline const char* nameOf(SeamCosts code) {
   return "";
 }
 
-/// Whether automatic seams of a symmetric mesh are symmetric.
+/// Whether automatic seams of a symmetric mesh are symmetric; parts without a mirror image do not matter.
 enum class SymmetricSeams : int {
-  Auto = 0,  ///< symmetric unless that makes seams longer
+  Auto = 0,  ///< symmetric unless that makes seams more than a tenth costlier
   Never = 1,  ///< place each seam where it is best for its own side
-  Always = 2,  ///< symmetric even if that makes seams longer
+  Always = 2,  ///< symmetric whatever that costs
 };
 
 inline const char* nameOf(SymmetricSeams code) {
@@ -66,9 +66,9 @@ inline const char* nameOf(SymmetricSeams code) {
 
 /// Whether outlines that are nearly straight become exactly so, and strips rectangles.
 enum class Rectify : int {
-  Auto = 0,  ///< where that stays within the bound of stretch
+  Auto = 0,  ///< where that hardly stretches, and stays within the bound of stretch
   Never = 1,  ///< leave outlines as they come out
-  Always = 2,  ///< whatever that stretches
+  Always = 2,  ///< however much that stretches
 };
 
 inline const char* nameOf(Rectify code) {
@@ -160,13 +160,13 @@ struct UnwrapOptionValues {
   FillHoles fillHoles = FillHoles::Auto;
   /// what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces do not; length = their length alone, as papers and patterns have it
   SeamCosts seamCosts = SeamCosts::Sight;
-  /// whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer
+  /// whether automatic seams of a symmetric mesh are symmetric; parts without a mirror image do not matter: auto = symmetric unless that makes seams more than a tenth costlier; never = place each seam where it is best for its own side; always = symmetric whatever that costs
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   /// boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)
   double t = 0;
   /// make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved
   bool straightSeams = false;
-  /// whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that stays within the bound of stretch; never = leave outlines as they come out; always = whatever that stretches
+  /// whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that hardly stretches, and stays within the bound of stretch; never = leave outlines as they come out; always = however much that stretches
   Rectify rectify = Rectify::Auto;
   /// side of the texture in texels
   int resolution = 1024;
@@ -197,10 +197,10 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"orient", "--orient", "false", "", "turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are", true, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches", false, true},
     {"seamCosts", "--seam-costs", "sight", "sight, length", "what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces do not; length = their length alone, as papers and patterns have it", false, true},
-    {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether automatic seams of a symmetric mesh are symmetric: auto = symmetric unless that makes seams longer; never = place each seam where it is best for its own side; always = symmetric even if that makes seams longer", false, true},
+    {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether automatic seams of a symmetric mesh are symmetric; parts without a mirror image do not matter: auto = symmetric unless that makes seams more than a tenth costlier; never = place each seam where it is best for its own side; always = symmetric whatever that costs", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved", true, false},
-    {"rectify", "--rectify", "auto", "auto, never, always", "whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that stays within the bound of stretch; never = leave outlines as they come out; always = whatever that stretches", false, true},
+    {"rectify", "--rectify", "auto", "auto, never, always", "whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that hardly stretches, and stays within the bound of stretch; never = leave outlines as they come out; always = however much that stretches", false, true},
     {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},

@@ -29,7 +29,8 @@ struct RepairReport {
   std::vector<std::uint32_t> splitFaces;
   /// Faces that repeat an earlier one, the second number; they become charts of their own.
   std::vector<std::array<std::uint32_t, 2>> duplicateFaces;
-  /// Edges with more than two faces, by their vertices; they were cut.
+  /// Edges with more than two faces, by their vertices; all but the faces that continue each other
+  /// were cut off.
   std::vector<std::array<std::uint32_t, 2>> nonManifoldEdges;
   /// Edges whose two faces run in the same direction, by their vertices; they were cut.
   std::vector<std::array<std::uint32_t, 2>> orientationConflicts;
