@@ -16,10 +16,7 @@ struct Model {
 };
 
 /// Where a part is, as one number that no two parts share.
-double placeOf(const PartShape& shape) {
-  constexpr Vec3 kNoAxis = {0.7548776662466927, 0.5698402909980532, 0.3247179572447461};
-  return dot(shape.centre, kNoAxis);
-}
+double placeOf(const PartShape& shape) { return dot(shape.centre, kNoAxis); }
 
 /// Parts in the order in which they are compared: those that may be alike follow each other.
 std::vector<PartId> inOrder(const PartShapes& shapes) {

@@ -9,9 +9,6 @@
 namespace abflat {
 namespace {
 
-/// No mesh is symmetric across a plane with this normal.
-constexpr Vec3 kNoAxis = {0.7548776662466927, 0.5698402909980532, 0.3247179572447461};
-
 Vec3 fromCentre(const Cells& cells, const PartShape& shape, PolygonCorner c) {
   Vec3 out;
   for (std::size_t d = 0; d < 3; ++d) out[d] = cells.at(c)[d] - shape.centre[d];
@@ -39,23 +36,28 @@ struct Frame {
   Vec3 in(const Vec3& p) const { return {dot(p, x), dot(p, y), dot(p, z)}; }
 };
 
-}  // namespace
+/// A corner, and what corners of other parts that correspond to it share with it.
+struct Candidate {
+  std::uint64_t color;
+  double distance;
+  PolygonCorner corner;
+};
 
-PartSeed seedOf(const Cells& cells, const PartShapes& shapes, PartId part) {
-  struct Candidate {
-    std::uint64_t color;
-    double distance;
-    PolygonCorner corner;
-  };
-  const PartShape& shape = shapes.part[part];
-  std::vector<Candidate> all;
+/// The corners of a part by color, then by distance from the centre.
+std::vector<Candidate> candidatesOf(const Cells& cells, const PartShapes& shapes, PartId part) {
+  std::vector<Candidate> out;
   for (const PolygonFace f : shapes.facesOf(part))
     for (const PolygonCorner c : cells.corners(f))
-      all.push_back({shapes.color[f], norm(fromCentre(cells, shape, c)), c});
-  sortStably(all, [](const Candidate& a, const Candidate& b) {
+      out.push_back({shapes.color[f], norm(fromCentre(cells, shapes.part[part], c)), c});
+  sortStably(out, [](const Candidate& a, const Candidate& b) {
     return a.color != b.color ? a.color < b.color : a.distance < b.distance;
   });
-  const double gap = 2 * kAlikeTolerance * shape.radius;
+  return out;
+}
+
+/// The smallest run of candidates of one color without a larger gap between their distances; of
+/// several the farthest from the centre.
+IdSpan<std::size_t, Candidate> fewestAlike(const std::vector<Candidate>& all, double gap) {
   std::size_t best = 0, count = all.size() + 1;
   for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
     for (end = i + 1; end < all.size() && all[end].color == all[i].color &&
@@ -66,14 +68,23 @@ PartSeed seedOf(const Cells& cells, const PartShapes& shapes, PartId part) {
     best = i;
     count = end - i;
   }
-  const auto first = all.begin() + static_cast<std::ptrdiff_t>(best);
-  const auto last = first + static_cast<std::ptrdiff_t>(count);
+  return {all.data() + best, count};
+}
+
+}  // namespace
+
+PartSeed seedOf(const Cells& cells, const PartShapes& shapes, PartId part) {
+  const PartShape& shape = shapes.part[part];
+  const std::vector<Candidate> all = candidatesOf(cells, shapes, part);
+  const IdSpan<std::size_t, Candidate> fewest =
+      fewestAlike(all, 2 * kAlikeTolerance * shape.radius);
   const auto at = [&](const Candidate& c) {
     return dot(fromCentre(cells, shape, c.corner), kNoAxis);
   };
-  const auto seed = std::max_element(
-      first, last, [&](const Candidate& a, const Candidate& b) { return at(a) < at(b); });
-  return {seed->corner, first->color, first->distance, (last - 1)->distance};
+  const Candidate& seed =
+      *std::max_element(fewest.begin(), fewest.end(),
+                        [&](const Candidate& a, const Candidate& b) { return at(a) < at(b); });
+  return {seed.corner, seed.color, fewest.front().distance, fewest.back().distance};
 }
 
 bool PartMatcher::match(PartId model, const PartSeed& seed, PartId part, bool isMirrored) {
@@ -165,39 +176,44 @@ bool PartMatcher::isSameEdge(PolygonCorner from, PolygonCorner to) const {
          std::abs(distance - otherDistance) <= 2 * tolerance_;
 }
 
-/// Whether one motion takes every corner to within the tolerance of its own.
+/// Whether one motion takes every corner to within the tolerance of its own. The motion is that of
+/// two corners far from the centre and from each other.
 bool PartMatcher::isCongruent() const {
-  const PartShape &own = shapes_.part[part_], &other = shapes_.part[model_];
-  const auto best = [&](const auto& measure) {
-    std::pair<double, PolygonCorner> out{0, PolygonCorner()};
-    for (const PolygonFace f : walked_)
-      for (const PolygonCorner c : cells_.corners(f))
-        if (const double x = measure(fromCentre(cells_, other, image_[c])); x > out.first)
-          out = {x, c};
-    return out.second;
-  };
-  const PolygonCorner a = best([](const Vec3& p) { return dot(p, p); });
+  const PolygonCorner a = farthest([](const Vec3& p) { return dot(p, p); });
   if (!a.exists()) return false;
-  const Vec3 along = fromCentre(cells_, other, image_[a]);
-  const auto areaWith = [&](const Vec3& p) {
+  const Vec3 along = onModel(a), ownAlong = onPart(a);
+  const PolygonCorner b = farthest([&](const Vec3& p) {
     const Vec3 n = cross(along, p);
     return dot(n, n);
-  };
-  const PolygonCorner b = best(areaWith);
+  });
+  if (!b.exists()) return false;
+  const Vec3 aside = onModel(b), ownAside = onPart(b);
   const auto isFlat = [&](const Vec3& p, const Vec3& q) {
     return !(norm(cross(p, q)) > tolerance_ * norm(p));
   };
-  if (!b.exists()) return false;
-  const Vec3 aside = fromCentre(cells_, other, image_[b]);
-  const Vec3 ownAlong = fromCentre(cells_, own, a), ownAside = fromCentre(cells_, own, b);
   if (isFlat(along, aside) || isFlat(ownAlong, ownAside)) return false;
-  const Frame frame(ownAlong, ownAside, isMirrored_), model(along, aside, false);
+  const Frame own(ownAlong, ownAside, isMirrored_), model(along, aside, false);
   for (const PolygonFace f : walked_)
     for (const PolygonCorner c : cells_.corners(f))
-      if (distanceOf(frame.in(fromCentre(cells_, own, c)),
-                     model.in(fromCentre(cells_, other, image_[c]))) > tolerance_)
-        return false;
+      if (distanceOf(own.in(onPart(c)), model.in(onModel(c))) > tolerance_) return false;
   return true;
+}
+
+Vec3 PartMatcher::onPart(PolygonCorner c) const {
+  return fromCentre(cells_, shapes_.part[part_], c);
+}
+Vec3 PartMatcher::onModel(PolygonCorner c) const {
+  return fromCentre(cells_, shapes_.part[model_], image_[c]);
+}
+
+/// The corner of the part whose image has the largest value; none if all are 0.
+template <class Value>
+PolygonCorner PartMatcher::farthest(const Value& value) const {
+  std::pair<double, PolygonCorner> best{0, PolygonCorner()};
+  for (const PolygonFace f : walked_)
+    for (const PolygonCorner c : cells_.corners(f))
+      if (const double x = value(onModel(c)); x > best.first) best = {x, c};
+  return best.second;
 }
 
 void PartMatcher::forget() {

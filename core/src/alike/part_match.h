@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "alike/part_shapes.h"
@@ -39,6 +40,10 @@ class PartMatcher {
   bool pairFaces(PolygonCorner from, PolygonCorner to);
   bool isSameEdge(PolygonCorner from, PolygonCorner to) const;
   bool isCongruent() const;
+  Vec3 onPart(PolygonCorner c) const;
+  Vec3 onModel(PolygonCorner c) const;
+  template <class Value>
+  PolygonCorner farthest(const Value& value) const;
   void forget();
 
   const Cells& cells_;

@@ -16,7 +16,8 @@ std::uint64_t scrambled(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Sums do not depend on the order, so colors stay when a part is mirrored or renumbered.
+/// Color refinement after Weisfeiler and Leman. Sums do not depend on the order, so colors stay
+/// when a part is mirrored or renumbered.
 IdVector<PolygonFace, std::uint64_t> colorsOf(const Cells& cells) {
   constexpr int kRounds = 4;
   IdVector<PolygonFace, std::uint64_t> color(cells.part.size(), 0), next;

@@ -21,9 +21,12 @@ struct PartShape {
 /// How far corresponding vertices may be apart, relative to the radius.
 constexpr double kAlikeTolerance = 1e-3;
 
+/// No mesh is symmetric across a plane with this normal.
+constexpr Vec3 kNoAxis = {0.7548776662466927, 0.5698402909980532, 0.3247179572447461};
+
 /// The shapes of all parts. Only those are measured that hang together like another one.
 struct PartShapes {
-  IdVector<PolygonFace, std::uint64_t> color;  ///< how the polygons around a polygon hang together
+  IdVector<PolygonFace, std::uint64_t> color;  ///< how the polygons around it hang together
   std::vector<PolygonFace> faces;              ///< part by part
   IdVector<PartId, std::uint32_t> begin;       ///< in `faces`; one more than there are parts
   IdVector<PartId, PartShape> part;
