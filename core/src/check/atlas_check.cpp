@@ -46,7 +46,7 @@ class AtlasChecker {
   std::vector<ChartDefect> run() {
     checkTriangles();
     for (std::size_t c = 0; c < atlas_.stacked.size(); ++c)
-      if (atlas_.stacked[c].on != kOnNone) isWanted_[c] = 0;
+      if (isOnChecked(c)) isWanted_[c] = 0;
     const bool mayTouch =
         std::find(atlas_.mayTouch.begin(), atlas_.mayTouch.end(), 1) != atlas_.mayTouch.end();
     for (int round = 0; round < kMostRounds; ++round)
@@ -67,6 +67,12 @@ class AtlasChecker {
   }
   bool isChecked(std::size_t t) const {
     return atlas_.chartOf[t] < isWanted_.size() && isWanted_[atlas_.chartOf[t]];
+  }
+
+  /// Whether a chart lies on one that is compared with all others for it.
+  bool isOnChecked(std::size_t chart) const {
+    const std::uint32_t below = atlas_.stacked[chart].on;
+    return below != kOnNone && !atlas_.isLeftOut[below];
   }
 
   bool isMirrored(std::uint32_t chart) const {

@@ -91,3 +91,15 @@ TEST_CASE("what overlaps a stack overlaps all of it", "[certificate]") {
   REQUIRE(found.size() == 4);
   for (const ChartDefect& defect : found) CHECK(defect.kind == ChartDefect::Overlaps);
 }
+
+TEST_CASE("charts on one that is left out are compared with others", "[certificate]") {
+  Charts charts;
+  charts.add(0, 0).add(0, 0).add(.0625, .0625);
+  WrittenAtlas atlas{charts.uv, charts.triangles, charts.chartOf, [](std::size_t) { return true; },
+                     {1, 0, 0}, {0, 0, 0}};
+  atlas.stacked = charts.stacked(true);
+  REQUIRE(atlas.stacked[1].on == 0);
+  const std::vector<ChartDefect> found = checkAtlas(atlas);
+  REQUIRE(found.size() == 2);
+  for (const ChartDefect& defect : found) CHECK(defect.kind == ChartDefect::Overlaps);
+}
