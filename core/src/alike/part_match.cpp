@@ -48,7 +48,7 @@ std::vector<Candidate> candidatesOf(const Cells& cells, const PartShapes& shapes
   std::vector<Candidate> out;
   for (const PolygonFace f : shapes.facesOf(part))
     for (const PolygonCorner c : cells.corners(f))
-      out.push_back({shapes.color[f], norm(fromCentre(cells, shapes.part[part], c)), c});
+      out.push_back({shapes.colorAt(f, c), norm(fromCentre(cells, shapes.part[part], c)), c});
   sortStably(out, [](const Candidate& a, const Candidate& b) {
     return a.color != b.color ? a.color < b.color : a.distance < b.distance;
   });
@@ -88,15 +88,16 @@ PartSeed seedOf(const Cells& cells, const PartShapes& shapes, PartId part) {
 }
 
 bool PartMatcher::match(PartId model, const PartSeed& seed, PartId part, bool isMirrored) {
-  constexpr std::size_t kMostTries = 64;
+  constexpr std::size_t kMostWalks = 64;
   model_ = model;
   part_ = part;
   isMirrored_ = isMirrored;
   tolerance_ = kAlikeTolerance * shapes_.part[model].radius;
-  std::size_t tries = 0;
+  std::size_t walked = 0;
   for (const PolygonCorner c : candidates(model, seed, part, isMirrored)) {
-    if (++tries > kMostTries) break;
+    if (walked > kMostWalks * shapes_.part[part].faces) break;
     const bool isFound = walk(c, seed.corner) && isCongruent();
+    walked += walked_.size();
     for (const PolygonFace m : taken_) isTaken_[m] = 0;
     taken_.clear();
     if (isFound) return true;
@@ -113,8 +114,8 @@ std::vector<PolygonCorner> PartMatcher::candidates(PartId model, const PartSeed&
   const Vec3 next = fromCentre(cells_, other, cells_.next(seed.corner));
   std::vector<std::pair<double, PolygonCorner>> found;
   for (const PolygonFace f : shapes_.facesOf(part)) {
-    if (shapes_.color[f] != seed.color) continue;
     for (const PolygonCorner c : cells_.corners(f)) {
+      if (shapes_.colorAt(f, c) != seed.color) continue;
       const Vec3 p = fromCentre(cells_, own, c);
       const double distance = norm(p);
       if (distance < seed.low - 2 * tolerance_ || distance > seed.high + 2 * tolerance_) continue;

@@ -16,15 +16,36 @@ std::uint64_t scrambled(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+IdVector<PolygonCorner, std::uint32_t> valencesOf(const Cells& cells) {
+  IdVector<PolygonCorner, std::uint32_t> out(cells.twin.size(), 0);
+  const auto before = [&](PolygonCorner c) { return cells.twin[cells.prev(c)]; };
+  const auto after = [&](PolygonCorner c) {
+    const PolygonCorner o = cells.twin[c];
+    return o.exists() ? cells.next(o) : o;
+  };
+  for (const PolygonCorner c : out.ids()) {
+    if (out[c] > 0) continue;
+    PolygonCorner first = c;
+    for (PolygonCorner i = before(c); i.exists() && i != c; i = before(i)) first = i;
+    std::uint32_t count = 1;
+    for (PolygonCorner i = after(first); i.exists() && i != first; i = after(i)) ++count;
+    out[first] = count;
+    for (PolygonCorner i = after(first); i.exists() && i != first; i = after(i)) out[i] = count;
+  }
+  return out;
+}
+
 /// Color refinement after Weisfeiler and Leman. Sums do not depend on the order, so colors stay
 /// when a part is mirrored or renumbered.
-IdVector<PolygonFace, std::uint64_t> colorsOf(const Cells& cells) {
+IdVector<PolygonFace, std::uint64_t> colorsOf(
+    const Cells& cells, const IdVector<PolygonCorner, std::uint32_t>& valence) {
   constexpr int kRounds = 4;
   IdVector<PolygonFace, std::uint64_t> color(cells.part.size(), 0), next;
   for (const PolygonFace f : color.ids()) {
     std::uint64_t sum = scrambled(cells.faceMark[f]) + cells.size(f);
     for (const PolygonCorner c : cells.corners(f))
-      sum += scrambled(2 * std::uint64_t{cells.edgeMark[c]} + cells.twin[c].exists());
+      sum += scrambled(2 * std::uint64_t{cells.edgeMark[c]} + cells.twin[c].exists()) +
+             scrambled(~std::uint64_t{valence[c]});
     color[f] = scrambled(sum);
   }
   for (int round = 0; round < kRounds; ++round) {
@@ -90,7 +111,8 @@ bool PartShapes::mayBeAlike(PartId a, PartId b) const {
 
 PartShapes shapesOf(const Cells& cells, const IdVector<PartId, std::uint8_t>& isLeftOut) {
   PartShapes out;
-  out.color = colorsOf(cells);
+  out.valence = valencesOf(cells);
+  out.color = colorsOf(cells, out.valence);
   listFaces(cells, out);
   out.part.resize(cells.parts);
   for (const PartId i : out.part.ids()) {

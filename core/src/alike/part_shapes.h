@@ -26,14 +26,17 @@ constexpr Vec3 kNoAxis = {0.7548776662466927, 0.5698402909980532, 0.324717957244
 
 /// The shapes of all parts. Only those are measured that hang together like another one.
 struct PartShapes {
-  IdVector<PolygonFace, std::uint64_t> color;  ///< how the polygons around it hang together
-  std::vector<PolygonFace> faces;              ///< part by part
-  IdVector<PartId, std::uint32_t> begin;       ///< in `faces`; one more than there are parts
+  IdVector<PolygonFace, std::uint64_t> color;      ///< how the polygons around it hang together
+  IdVector<PolygonCorner, std::uint32_t> valence;  ///< polygons of its part around its vertex
+  std::vector<PolygonFace> faces;                  ///< part by part
+  IdVector<PartId, std::uint32_t> begin;           ///< in `faces`; one more than there are parts
   IdVector<PartId, PartShape> part;
 
   IdSpan<std::size_t, PolygonFace> facesOf(PartId i) const {
     return {faces.data() + begin[i], begin[PartId(i + 1)] - begin[i]};
   }
+  /// The same for corners that correspond to each other.
+  std::uint64_t colorAt(PolygonFace f, PolygonCorner c) const { return color[f] + valence[c]; }
   /// Whether the measures allow two parts to be alike.
   bool mayBeAlike(PartId a, PartId b) const;
 };

@@ -1,6 +1,8 @@
 #include "alike/find_alike.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -74,6 +76,38 @@ PolygonMesh two(const PolygonMesh& a, const PolygonMesh& b) {
   std::mt19937 random(3);
   append(out, a);
   append(out, moved(renumbered(b, 5).mesh, randomMotion(random, false), false));
+  return out;
+}
+
+/// The surface of all unit blocks whose middles lie in a ball.
+PolygonMesh blockBall(int radius) {
+  PolygonMesh out;
+  out.faceOffsets = {0};
+  std::map<std::array<int, 3>, std::uint32_t> vertices;
+  const auto isInside = [&](const std::array<int, 3>& p) {
+    return p[0] * p[0] + p[1] * p[1] + p[2] * p[2] <= radius * radius;
+  };
+  const auto addSide = [&](std::array<int, 3> block, std::size_t axis, int side) {
+    for (const std::array<int, 2>& at : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      std::array<int, 3> p = block;
+      p[axis] += side;
+      p[(axis + (side ? 1 : 2)) % 3] += at[0];
+      p[(axis + (side ? 2 : 1)) % 3] += at[1];
+      const auto [it, isNew] = vertices.try_emplace(p, static_cast<std::uint32_t>(vertices.size()));
+      if (isNew) out.positions.insert(out.positions.end(), p.begin(), p.end());
+      out.faceVertices.push_back(it->second);
+    }
+    out.faceOffsets.push_back(static_cast<std::uint32_t>(out.faceVertices.size()));
+  };
+  for (int x = -radius; x <= radius; ++x)
+    for (int y = -radius; y <= radius; ++y)
+      for (int z = -radius; z <= radius; ++z)
+        for (std::size_t axis = 0; axis < 3 && isInside({x, y, z}); ++axis)
+          for (const int side : {0, 1}) {
+            std::array<int, 3> beside = {x, y, z};
+            beside[axis] += side ? 1 : -1;
+            if (!isInside(beside)) addSide({x, y, z}, axis, side);
+          }
   return out;
 }
 
@@ -203,4 +237,14 @@ TEST_CASE("a symmetric part lies on another in any of many ways", "[alike]") {
   const Compared found(copies(cone(2000, 0.3), 3, 5));
   CHECK(found.models().size() == 1);
   CHECK(found.keepsShape(1e-4));
+}
+
+TEST_CASE("a round part without irregular polygons lies on another however it is turned",
+          "[alike]") {
+  const PolygonMesh ball = blockBall(14);
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Compared found(copies(ball, 3, seed, true), true);
+    CHECK(found.models().size() == 1);
+    CHECK(found.keepsShape(1e-4));
+  }
 }
