@@ -383,8 +383,16 @@ class Unwrapping {
     report_.atlas.uncutTexelDensity = before.atlas.texelDensity;
     Status packed = packNow(kUncut, 1);
     if (packed.code == StatusCode::Aborted) return packed;
-    if (packed.ok() && isWorth(report_.atlas, seamCost(open_) - cost, options_)) return {};
+    if (packed.ok() && isWorth(report_.atlas, seamCost(open_) - cost, options_))
+      return stackPieces();
     return restore(before);
+  }
+
+  /// Packs again if some of the pieces are alike.
+  Status stackPieces() {
+    if (!stacks_.leaveOutCharts(wishes_, {surface_, fixed_, open_, charts_})) return {};
+    Status s = readWishes();
+    return s.ok() ? packNow(1, 1) : s;
   }
 
   /// What a cut of packed charts changes, as it was before.

@@ -25,18 +25,6 @@ double totalArea(const PolygonMesh& mesh, const std::vector<double>& positions) 
   return sum;
 }
 
-/// Steps as high as they are wide.
-PolygonMesh stairs(std::uint32_t n) {
-  PolygonMesh mesh = squares(2 * n, n, [](auto, auto) { return true; });
-  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
-    const double i = std::floor(mesh.positions[3 * v] / 2);
-    const bool isHigher = std::fmod(mesh.positions[3 * v], 2) > 0;
-    mesh.positions[3 * v] = i;
-    mesh.positions[3 * v + 2] = i + isHigher;
-  }
-  return mesh;
-}
-
 /// Two planes at a right angle.
 PolygonMesh roof(std::uint32_t n) {
   PolygonMesh mesh = squares(2 * n, n, [](auto, auto) { return true; });

@@ -20,4 +20,16 @@ PolygonMesh squares(std::uint32_t columns, std::uint32_t rows, IsThere isThere) 
   return makeTriangleMesh(p, t);
 }
 
+/// Steps as high as they are wide.
+inline PolygonMesh stairs(std::uint32_t n) {
+  PolygonMesh mesh = squares(2 * n, n, [](auto, auto) { return true; });
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    const double i = std::floor(mesh.positions[3 * v] / 2);
+    const bool isHigher = std::fmod(mesh.positions[3 * v], 2) > 0;
+    mesh.positions[3 * v] = i;
+    mesh.positions[3 * v + 2] = i + isHigher;
+  }
+  return mesh;
+}
+
 }  // namespace abflat::test

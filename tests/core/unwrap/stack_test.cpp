@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "check/atlas_check.h"
 #include "support/copies.h"
+#include "support/squares.h"
 #include "support/unwrapped.h"
 
 using namespace abflat;
@@ -237,6 +238,42 @@ TEST_CASE("charts that are cut for packing are cut alike", "[stack]") {
   const UnwrapResult result = stackedExactly(copies(bumpyGrid(80, 2, 0.2, 3), 6, 3, true), options);
   CHECK(result.report.atlas.packingCuts > 0);
   CHECK(result.report.charts.size() == 6 * placesIn(result));
+}
+
+TEST_CASE("pieces of a chart that is cut for packing are stacked as well", "[stack]") {
+  // A long strip of squares.
+  PolygonMesh strip;
+  strip.faceOffsets = {0};
+  for (std::uint32_t k = 0; k <= 96; ++k) {
+    const double x = k;
+    strip.positions.insert(strip.positions.end(), {x, 0, 0, x, 1, 0});
+    if (k == 0) continue;
+    for (const std::uint32_t v : {2 * k - 2, 2 * k, 2 * k + 1, 2 * k - 1})
+      strip.faceVertices.push_back(v);
+    strip.faceOffsets.push_back(4 * k);
+  }
+  UnwrapOptions options = stacking(Stack::Identical);
+  options.minUtilization = kAutoMinUtilization;
+  const UnwrapResult result = stackedExactly(strip, options);
+  REQUIRE(result.report.atlas.packingCuts > 0);
+  // Their lengths differ by one square or not at all.
+  CHECK(placesIn(result) <= 2);
+}
+
+TEST_CASE("copies of steps that are taken for smooth are measured as they are", "[stack]") {
+  const PolygonMesh mesh = copies(stairs(40), 3, 5, true);
+  UnwrapOptions options = stacking(Stack::Mirrored);
+  options.resolution = 64;
+  const UnwrapResult result = stackedExactly(mesh, options);
+  REQUIRE(result.report.notes.size() == 1);
+  CHECK_THAT(result.report.notes[0], Catch::Contains("taken for smooth"));
+  const std::vector<UnwrapChart>& charts = result.report.charts;
+  REQUIRE(placesIn(result) == 1);
+  for (const UnwrapChart& chart : charts) {
+    CHECK(chart.area == Approx(2 * 40 * 40));
+    CHECK(chart.symmetricDirichlet > 1.05);
+    CHECK(chart.symmetricDirichlet == Approx(charts[0].symmetricDirichlet).epsilon(1e-3));
+  }
 }
 
 TEST_CASE("straight seams and rounding keep stacks exact", "[stack]") {
