@@ -175,8 +175,8 @@ export function cutPolygon(points) {
 
 /**
  * What a reader finds in a file: `faces` as lists of corners { place, uv, id }, three each for a
- * glTF, with v upwards; `id` is the same for corners that share a texcoord. The v of a glTF is 1 - v', which is not rounded here: it is taken as -v', in
- * tiles from -1 up.
+ * glTF, with v upwards; `id` is the same for corners that share a texcoord. The v of a glTF is
+ * 1 - v', which is not rounded here: it is taken as -v', in tiles from -1 up.
  */
 export function readAtlas(path) {
   const bytes = readFileSync(path);
