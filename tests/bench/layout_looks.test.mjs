@@ -95,12 +95,19 @@ test('expectations are met by a layout as expected, and each is missed by anothe
     for (const [f, face] of unrolled.faces.entries())
       for (const [i, [, t]] of face.entries())
         unrolled.texcoords[t] = uvOf(side * (f + (i === 1 || i === 2 ? 1 : 0)), i < 2 ? 0 : 2, f);
-    return faultsOf(expect, chartedLayout(unrolled));
+    return faultsOf(expect, chartedLayout(unrolled), atlas);
   };
+  const atlas = { packingCuts: 0, texelDensity: 100, uncutTexelDensity: 100 };
   const missed = (faults) => Object.keys(faults).filter((key) => faults[key] !== '');
   assert.deepEqual(missed(set((u, v) => [u, v])), []);
   assert.deepEqual(missed(set((u, v) => turnBy(45, [u, v]))), ['level']);
   assert.deepEqual(missed(set((u, v, f) => [u + (f > 7 ? 40 : 0), v])), ['charts']);
+  atlas.packingCuts = 1;
+  atlas.texelDensity = 104;
+  assert.deepEqual(missed(set((u, v, f) => [u + (f > 7 ? 40 : 0), v])), ['charts']);
+  atlas.texelDensity = 110;
+  assert.deepEqual(missed(set((u, v, f) => [u + (f > 7 ? 40 : 0), v])), []);
+  atlas.packingCuts = 0;
   assert.deepEqual(missed(set((u, v) => [2 * u, v])), ['sd']);
 });
 

@@ -28,14 +28,15 @@ for (const { name, points, faces, expect } of SHAPES)
   test(`${name} unwraps as expected`, async (t) => {
     const at = tempFolder(t);
     writeFileSync(at('in.obj'), objText({ positions: points, faces }));
-    const args = ['unwrap', 'in.obj', '-o', 'out.obj', '-q'];
+    const args = ['unwrap', 'in.obj', '-o', 'out.obj', '-q', '--report', 'out.json'];
     const { code, stderr } = await runAbflat(args, { cwd: at() });
     assert.deepEqual([code, stderr], [0, '']);
     const { isValid, ...invalid } = judgeFile(at('out.obj'));
     assert.ok(isValid, JSON.stringify(invalid));
 
     const charted = chartedLayout(parseObj(readFileSync(at('out.obj'), 'utf8')));
-    const faults = faultsOf(expect, charted);
+    const { atlas } = JSON.parse(readFileSync(at('out.json'), 'utf8'));
+    const faults = faultsOf(expect, charted, atlas);
     const met = MET[name] ?? [];
     foundMet[name] = Object.keys(faults).filter((key) => faults[key] === '' || met.includes(key));
     const asked = isSet('ABFLAT_LOOKS_ALL') ? Object.keys(faults) : met;

@@ -66,7 +66,7 @@ std::size_t nearest(const Side& side, double reached) {
 }  // namespace
 
 ChartLength::ChartLength(const CutSurface& surface, const IdVector<OpenVertex, PlanePoint>& at,
-                         CutChartId chart) {
+                         CutChartId chart, const IdVector<OpenVertex, std::uint8_t>& isPreferred) {
   const BoundaryLoop loop = surface.outline(chart);
   const auto vertex = [&](BoundaryIndex i) { return surface.tail(loop[i]); };
   const Distances fromAny = distancesFrom(surface, at, vertex(BoundaryIndex(0)));
@@ -79,11 +79,34 @@ ChartLength::ChartLength(const CutSurface& surface, const IdVector<OpenVertex, P
     double reached = 0;
     for (BoundaryIndex i = first; i != last; i = BoundaryIndex((i + step) % n)) {
       reached = std::max(reached, from[vertex(i)]);
-      side.push_back({vertex(i), at[vertex(i)], reached});
+      side.push_back(
+          {vertex(i), at[vertex(i)], reached, !isPreferred.empty() && isPreferred[vertex(i)] != 0});
     }
   };
   walk(1, after_);
   walk(n - 1, before_);
+}
+
+bool ChartLength::hasPreferred() const {
+  constexpr double kEnd = 0.1;  // of the length
+  return std::any_of(before_.begin(), before_.end(), [&](const Stop& stop) {
+    return stop.isPreferred && stop.reached > kEnd * length_ && stop.reached < (1 - kEnd) * length_;
+  });
+}
+
+/// The nearest place before the first end that is about so far from it; a preferred one if there
+/// is.
+std::size_t ChartLength::stopNear(double reached, double reach) const {
+  std::size_t out = nearest(before_, reached);
+  double least = reach;
+  for (std::size_t i = firstFrom(before_, reached - reach);
+       i < before_.size() && before_[i].reached <= reached + reach; ++i) {
+    const double off = std::abs(before_[i].reached - reached);
+    if (!before_[i].isPreferred || off >= least) continue;
+    least = off;
+    out = i;
+  }
+  return out;
 }
 
 /// The nearest vertex on the other side that is about as far from the first end: the way there is
@@ -97,11 +120,11 @@ std::size_t ChartLength::opposite(const Stop& stop, double reach) const {
 }
 
 std::vector<AcrossPlace> ChartLength::places(int parts) const {
-  constexpr double kReach = 0.3;  // of a part
+  constexpr double kReach = 0.3, kReachOfPreferred = 0.5;  // of a part
   std::vector<AcrossPlace> out;
   std::size_t onBefore = 0, onAfter = 0;  // the first end belongs to both sides
   for (int i = 1; i < parts; ++i) {
-    const std::size_t before = nearest(before_, length_ * i / parts);
+    const std::size_t before = stopNear(length_ * i / parts, kReachOfPreferred * length_ / parts);
     if (before <= onBefore) continue;
     const std::size_t after = opposite(before_[before], kReach * length_ / parts);
     if (after <= onAfter || after == after_.size()) continue;

@@ -16,14 +16,17 @@ struct AcrossPlace {
 class ChartLength {
  public:
   ChartLength() = default;
-  /// `at`: positions of the surface's vertices in the plane.
+  /// `at`: positions of the surface's vertices in the plane. `isPreferred`: vertices at which the
+  /// chart is cut if one is near, such as those on creases; may be empty.
   ChartLength(const CutSurface& surface, const IdVector<OpenVertex, PlanePoint>& at,
-              CutChartId chart);
+              CutChartId chart, const IdVector<OpenVertex, std::uint8_t>& isPreferred = {});
 
   double length() const { return length_; }
+  /// Whether there are preferred vertices away from the ends.
+  bool hasPreferred() const;
 
-  /// The places that divide the length into `parts` equal parts as well as the outline's vertices
-  /// allow, from the first end on. Fewer if there are not enough vertices.
+  /// The places that divide the length into `parts` about equal parts, as well as the outline's
+  /// vertices allow, from the first end on. Fewer if there are not enough vertices.
   std::vector<AcrossPlace> places(int parts) const;
 
  private:
@@ -31,8 +34,10 @@ class ChartLength {
     OpenVertex vertex;
     PlanePoint at;
     double reached = 0;  ///< largest distance from the first end so far
+    bool isPreferred = false;
   };
   using Side = std::vector<Stop>;
+  std::size_t stopNear(double reached, double reach) const;
   std::size_t opposite(const Stop& stop, double reach) const;
 
   double length_ = 0;

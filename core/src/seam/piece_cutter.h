@@ -25,6 +25,7 @@ class PieceCutter {
   PieceCutter(const SeamMesh& mesh, const CutSurface& surface,
               const IdVector<OpenVertex, PlanePoint>& at);
 
+  const SeamMesh& mesh() const { return mesh_; }
   const IdVector<PieceId, Piece>& pieces() const { return pieces_; }
   const std::vector<SurfaceCorner>& cuts() const { return cuts_; }
   double length() const { return length_; }  ///< of the visible cuts

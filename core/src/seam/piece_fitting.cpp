@@ -55,6 +55,7 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
       unit_(std::sqrt(mesh.totalArea() * flat.unitArea)),
       fit_(fit),
       cutter_(mesh, flat.surface, flat.at),
+      mostCost_(mostCost),
       charts_(static_cast<int>(cutter_.pieces().size())),
       size_(std::sqrt(mesh.totalArea())) {
   for (const CutChartId chart : flat.surface.charts.ids()) {
@@ -89,15 +90,28 @@ bool PieceFitting::fits(double side) { return missingArea(placed(side, 0)) == 0;
 std::vector<LongChart> PieceFitting::longCharts() const {
   constexpr double kLong = 10;  // the square of half the outline, relative to the area: 8 by 1
   std::vector<LongChart> out;
+  const IdVector<OpenVertex, std::uint8_t> isOnCrease = verticesOnCreases();
   for (const CutChartId chart : flat_.surface.charts.ids()) {
     const PieceId p(std::uint32_t{chart});
     const Shape& shape = shapes_[p];
     const auto isLong = [&](double length) { return length * length > kLong * areaOf(p); };
     if (!shape.canCut || shape.loop.empty() || !isLong(perimeterOf(shape.loop) / 2)) continue;
-    ChartLength across(flat_.surface, flat_.at, chart);
+    ChartLength across(flat_.surface, flat_.at, chart, isOnCrease);
     const double length = scaleOf(p) * across.length();
     if (isLong(length)) out.push_back({p, std::move(across), length});
   }
+  return out;
+}
+
+/// Those on edges within charts where cuts are hidden well enough; empty if they may go anywhere.
+IdVector<OpenVertex, std::uint8_t> PieceFitting::verticesOnCreases() const {
+  if (!std::isfinite(mostCost_)) return {};
+  const SeamMesh& mesh = cutter_.mesh();
+  const CutSurface& s = flat_.surface;
+  IdVector<OpenVertex, std::uint8_t> out(s.vertexCount(), 0);
+  for (const SurfaceCorner h : mesh.corners())
+    if (s.twin[h].exists() && mesh.cost[h] <= mostCost_ * mesh.length[h])
+      out[s.tail(h)] = out[s.head(h)] = 1;
   return out;
 }
 
@@ -110,12 +124,18 @@ void PieceFitting::cutAcross(const LongChart& chart, int parts) {
     // As far as the cut is long, so that it can go straight across.
     const double reach = distance(flat_.at[*from], flat_.at[*to]);
     const BoundaryIndex first(from - loop.begin()), last(to - loop.begin());
-    if (!cutter_.split(chart.piece, first, last, reach)) continue;
-    const PieceId added = addPiece();
-    shapes_[added].density = shapes_[chart.piece].density;
-    takeShape(added);
+    split(chart.piece, first, last, reach);
   }
   takeShape(chart.piece);
+}
+
+bool PieceFitting::split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach) {
+  if (!cutter_.split(piece, from, to, reach, shapes_[piece].mostCost)) return false;
+  const PieceId added = addPiece();
+  shapes_[added].density = shapes_[piece].density;
+  shapes_[added].mostCost = shapes_[piece].mostCost;
+  takeShape(added);
+  return true;
 }
 
 PieceFitting::Placed PieceFitting::placed(double side) { return Placed(fit_.placed(side)); }
@@ -262,12 +282,8 @@ bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, 
 bool PieceFitting::cut(const Candidate& c) {
   const Shape& shape = shapes_[c.piece];
   const BoundaryIndex from = shape.ends[c.chord.from], to = shape.ends[c.chord.to];
-  if (!cutter_.split(c.piece, from, to, shape.reach, shape.mostCost)) return false;
-  const PieceId added = addPiece();
-  shapes_[added].density = shapes_[c.piece].density;
-  shapes_[added].mostCost = shapes_[c.piece].mostCost;
+  if (!split(c.piece, from, to, shape.reach)) return false;
   takeShape(c.piece);
-  takeShape(added);
   return true;
 }
 

@@ -52,16 +52,21 @@ class PieceFitting {
   /// Cuts a chart that has not been cut yet across, into that many parts or fewer.
   void cutAcross(const LongChart& chart, int parts);
 
-  /// Lets a long chart be cut in plain sight.
-  void cutAnywhere(const LongChart& chart) { shapes_[chart.piece].mostCost = HUGE_VAL; }
+  /// Lets a long chart without creases be cut in plain sight.
+  void cutAnywhere(const LongChart& chart) {
+    if (!chart.across.hasPreferred()) shapes_[chart.piece].mostCost = HUGE_VAL;
+  }
 
   const std::vector<SurfaceCorner>& cuts() const { return cutter_.cuts(); }
   int count() const { return static_cast<int>(cutter_.pieces().size()) - charts_; }
   /// Length of the cuts, divided by the root of the surface area.
   double length() const { return cutter_.length() / size_; }
   double cost() const { return costOf(count(), cutter_.cost() / size_); }
-  /// A cut costs what its seam does plus a fixed amount: two charts are harder to paint on.
-  static double costOf(int count, double seams) { return seams + kCostOfCut * count; }
+  /// A cut costs what its seam does plus a fixed amount: more charts are harder to paint on, and
+  /// the first few of them are what people see.
+  static double costOf(int count, double seams) {
+    return seams + kCostOfCut * count + kCostOfFirst * std::min(count, 4);
+  }
 
  private:
   using Placed = IdVector<PieceId, std::uint8_t>;
@@ -82,6 +87,8 @@ class PieceFitting {
   std::vector<Candidate> candidatesOf(const Placed& isPlaced);
   bool cutBest(const Placed& isPlaced, double missing, double side, double mostCost, int& tries);
   bool cut(const Candidate& candidate);
+  /// What lies on one side becomes a piece of its own; the shape of the other is not taken anew.
+  bool split(PieceId piece, BoundaryIndex from, BoundaryIndex to, double reach);
 
   /// One piece, in the form used for packing.
   struct Shape {
@@ -95,8 +102,9 @@ class PieceFitting {
     double mostCost = HUGE_VAL;  ///< of a cut, for its length
   };
 
-  static constexpr double kCostOfCut = 0.375;
+  static constexpr double kCostOfCut = 0.375, kCostOfFirst = 0.875;
 
+  IdVector<OpenVertex, std::uint8_t> verticesOnCreases() const;
   double areaOf(PieceId piece) const;
   double scaleOf(PieceId piece) const;
 
@@ -105,6 +113,7 @@ class PieceFitting {
   QuickFit fit_;     ///< items are numbered like pieces
   PieceCutter cutter_;
   IdVector<PieceId, Shape> shapes_;
+  double mostCost_;
   int charts_ = 0;
   double size_ = 1;
 };

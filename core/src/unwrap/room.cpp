@@ -223,8 +223,8 @@ class RoomSearch {
 RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts) {
   constexpr std::size_t kMostToCutLong = 512;
   const auto isFixed = [](const FlatChart& c) { return c.isFixed; };
-  if (options.minUtilization == 0 || options.texelDensity != kAutoTexelDensity ||
-      !options.seams.isAuto || options.t != kAutoT ||
+  if (options.packingCuts == PackingCuts::Never || options.minUtilization == 0 ||
+      options.texelDensity != kAutoTexelDensity || !options.seams.isAuto || options.t != kAutoT ||
       std::any_of(flat.begin(), flat.end(), isFixed))
     return RoomMode::None;
   const std::size_t large = countOf(largeCharts(flat, cuts)),

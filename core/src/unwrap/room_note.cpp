@@ -97,6 +97,7 @@ std::string shareText(double reached, double asked) {
 std::string roomNote(const PackedCharts& packed, const SurfaceMap& map,
                      const UnwrapOptions& options, const AtlasReport& atlas) {
   constexpr double kPoor = 0.25;
+  if (options.packingCuts == PackingCuts::Never) return {};
   const LaidCharts& charts = packed.charts;
   const double asked = options.minUtilization, reached = atlas.utilization;
   const bool isAuto = asked == kAutoMinUtilization;

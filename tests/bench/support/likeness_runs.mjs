@@ -35,11 +35,11 @@ export function givenMeshes(files) {
   return files.map((file) => ({ name: parse(file).name, file }));
 }
 
-function measured(name, by, layout, { up, expect }) {
+function measured(name, by, layout, { up, expect, atlas }) {
   const charted = chartedLayout(layout);
   const row = { mesh: name, by, faces: charted.triangles.length, ...looksOf(charted, { up }) };
   if (expect) {
-    const faults = faultsOf(expect, charted);
+    const faults = faultsOf(expect, charted, atlas);
     row.unmet = Object.keys(faults).filter((key) => faults[key] !== '');
   }
   return { row, charted };
@@ -63,8 +63,10 @@ export async function unwrappedLayout(
   const args = ['unwrap', file, '-o', output, '--report', report, '--quiet', ...options];
   const { code, output: said } = await run(program, args, { capture: true });
   if (code > 1) throw new Failure(`${file}: ${said.trim()}`);
-  const out = measured(name, by, parseObj(readFileSync(output, 'latin1')), { up, expect });
-  out.row.seconds = JSON.parse(readFileSync(report, 'utf8')).timings.total;
+  const { atlas, timings } = JSON.parse(readFileSync(report, 'utf8'));
+  const layout = parseObj(readFileSync(output, 'latin1'));
+  const out = measured(name, by, layout, { up, expect, atlas });
+  out.row.seconds = timings.total;
   out.row.valid = code === 0 && judgeFile(output).isValid;
   for (const path of [output, report]) rmSync(path);
   return out;

@@ -69,6 +69,24 @@ TEST_CASE("a strip is divided straight across into equal parts, however it bends
     }
 }
 
+TEST_CASE("a strip is divided at preferred vertices if some are near", "[room]") {
+  const Strip strip(60, 0);
+  const auto preferring = [&](double from, double to) {
+    IdVector<OpenVertex, std::uint8_t> isPreferred;
+    for (const PlanePoint& p : strip.at) isPreferred.push_back(p.x >= from && p.x <= to);
+    return ChartLength(strip.surface, strip.at, CutChartId(0), isPreferred);
+  };
+  const ChartLength beside = preferring(7, 7.5), atEnd = preferring(0, 1);
+  CHECK(beside.hasPreferred());
+  CHECK_FALSE(atEnd.hasPreferred());
+  CHECK_FALSE(preferring(30, 31).hasPreferred());
+  for (const AcrossPlace& place : beside.places(2)) {
+    CHECK(strip.at[place.before].x == Approx(7.25).margin(0.26));
+    CHECK(strip.distance(place) == Approx(1).margin(0.35));
+  }
+  CHECK(strip.at[atEnd.places(2).at(0).before].x == Approx(10).margin(1.2));
+}
+
 TEST_CASE("a strip has no more places across than its outline has vertices", "[room]") {
   const Strip strip(9, 0);
   const ChartLength length(strip.surface, strip.at, CutChartId(0));

@@ -105,6 +105,8 @@ export type SymmetricSeams = 'auto' | 'never' | 'always';
 
 export type Rectify = 'auto' | 'never' | 'always';
 
+export type PackingCuts = 'auto' | 'never';
+
 export type Up = 'auto' | 'y' | 'z';
 
 export type Rotate = 'auto' | 'free' | 'quarter' | 'none';
@@ -126,6 +128,7 @@ export interface UnwrapOptionValues {
   padding: number;
   texelDensity: number | 'auto';
   udim: boolean;
+  packingCuts: PackingCuts;
   minUtilization: number | 'auto';
   up: Up;
   rotate: Rotate;
@@ -148,6 +151,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   padding: 2,
   texelDensity: 'auto',
   udim: false,
+  packingCuts: 'auto',
   minUtilization: 'auto',
   up: 'auto',
   rotate: 'auto',
@@ -171,7 +175,8 @@ export const UNWRAP_OPTIONS = {
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts, and between far parts of one chart', range: 'at least 0 and at most 256, whole' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
-  minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)', range: 'at least 0 and at most 1, or auto' },
+  packingCuts: { type: 'choice', default: 'auto', choices: ['auto', 'never'], text: 'whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole', range: 'auto, never' },
+  minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, as packingCuts never does; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)', range: 'at least 0 and at most 1, or auto' },
   up: { type: 'choice', default: 'auto', choices: ['auto', 'y', 'z'], text: 'which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis', range: 'auto, y, z' },
   rotate: { type: 'choice', default: 'auto', choices: ['auto', 'free', 'quarter', 'none'], text: 'how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all', range: 'auto, free, quarter, none' },
   stack: { type: 'choice', default: 'none', choices: ['none', 'identical', 'mirrored'], text: 'which parts and charts of equal shape lie on each other and share their texels: none = each has texels of its own; identical = those that are moved and turned; mirrored = mirror images as well, whose triangles run clockwise in the atlas', range: 'none, identical, mirrored' },

@@ -83,6 +83,22 @@ inline const char* nameOf(Rectify code) {
   return "";
 }
 
+/// Whether charts may be cut so that all pack tighter.
+enum class PackingCuts : int {
+  Auto = 0,  ///< where that gains enough texels, see minUtilization
+  Never = 1,  ///< every chart stays whole
+};
+
+inline const char* nameOf(PackingCuts code) {
+  switch (code) {
+    case PackingCuts::Auto:
+      return "auto";
+    case PackingCuts::Never:
+      return "never";
+  }
+  return "";
+}
+
 /// Which axis of the mesh points up: charts that stand are laid out upright.
 enum class Up : int {
   Auto = 0,  ///< z in STL files, y in all others
@@ -176,7 +192,9 @@ struct UnwrapOptionValues {
   double texelDensity = 0;
   /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
   bool udim = false;
-  /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)
+  /// whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole
+  PackingCuts packingCuts = PackingCuts::Auto;
+  /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, as packingCuts never does; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)
   double minUtilization = -1;
   /// which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis
   Up up = Up::Auto;
@@ -205,14 +223,15 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
-    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole; auto = cut long charts across, and others along creases, where that gains at least 1.5 % texels per unit per new chart, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
+    {"packingCuts", "--packing-cuts", "auto", "auto, never", "whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole", false, true},
+    {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, as packingCuts never does; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
     {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
     {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"stack", "--stack", "none", "none, identical, mirrored", "which parts and charts of equal shape lie on each other and share their texels: none = each has texels of its own; identical = those that are moved and turned; mirrored = mirror images as well, whose triangles run clockwise in the atlas", false, true},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 19};
+  return {kInfos, 20};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -273,26 +292,30 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.udim = value != 0;
       return true;
     case 13:
+      if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
+      options.packingCuts = static_cast<PackingCuts>(static_cast<int>(value));
+      return true;
+    case 14:
       if (!((value >= 0 && value <= 1) || (isWord && value == -1))) return false;
       options.minUtilization = static_cast<double>(value);
       return true;
-    case 14:
+    case 15:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.up = static_cast<Up>(static_cast<int>(value));
       return true;
-    case 15:
+    case 16:
       if (!(value >= 0 && value < 4 && value == std::trunc(value))) return false;
       options.rotate = static_cast<Rotate>(static_cast<int>(value));
       return true;
-    case 16:
+    case 17:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.stack = static_cast<Stack>(static_cast<int>(value));
       return true;
-    case 17:
+    case 18:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 18:
+    case 19:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -315,26 +338,28 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 8 && text == "never") return found = true, 1;
   if (index == 8 && text == "always") return found = true, 2;
   if (index == 11 && text == "auto") return found = true, 0;
-  if (index == 13 && text == "auto") return found = true, -1;
-  if (index == 14 && text == "auto") return found = true, 0;
-  if (index == 14 && text == "y") return found = true, 1;
-  if (index == 14 && text == "z") return found = true, 2;
+  if (index == 13 && text == "auto") return found = true, 0;
+  if (index == 13 && text == "never") return found = true, 1;
+  if (index == 14 && text == "auto") return found = true, -1;
   if (index == 15 && text == "auto") return found = true, 0;
-  if (index == 15 && text == "free") return found = true, 1;
-  if (index == 15 && text == "quarter") return found = true, 2;
-  if (index == 15 && text == "none") return found = true, 3;
-  if (index == 16 && text == "none") return found = true, 0;
-  if (index == 16 && text == "identical") return found = true, 1;
-  if (index == 16 && text == "mirrored") return found = true, 2;
-  if (index == 17 && text == "auto") return found = true, 0;
+  if (index == 15 && text == "y") return found = true, 1;
+  if (index == 15 && text == "z") return found = true, 2;
+  if (index == 16 && text == "auto") return found = true, 0;
+  if (index == 16 && text == "free") return found = true, 1;
+  if (index == 16 && text == "quarter") return found = true, 2;
+  if (index == 16 && text == "none") return found = true, 3;
+  if (index == 17 && text == "none") return found = true, 0;
+  if (index == 17 && text == "identical") return found = true, 1;
+  if (index == 17 && text == "mirrored") return found = true, 2;
+  if (index == 18 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
-  if (index == 17 && letter == 'M') return 1;
-  if (index == 17 && letter == 'G') return 1024;
-  if (index == 17 && letter == 'T') return 1048576;
+  if (index == 18 && letter == 'M') return 1;
+  if (index == 18 && letter == 'G') return 1024;
+  if (index == 18 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -360,6 +385,7 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   else
     visit("texelDensity", options.texelDensity);
   visit("udim", options.udim);
+  visit("packingCuts", nameOf(options.packingCuts));
   if (options.minUtilization == -1)
     visit("minUtilization", "auto");
   else
