@@ -13,10 +13,10 @@ namespace abflat {
 namespace {
 
 using Box = std::array<double, 4>;
-using Edge = std::array<std::uint32_t, 2>;
+using Edge = std::array<double, 4>;  ///< from one point to another
 
-/// The edges of an outline, in the order of their places.
-using Outline = std::vector<std::array<double, 4>>;
+/// The edges of an outline, sorted.
+using Outline = std::vector<Edge>;
 
 class StackFinder {
  public:
@@ -35,23 +35,30 @@ class StackFinder {
   }
 
   std::vector<StackedChart> run(bool mayMirror) {
-    std::vector<std::pair<Outline, std::uint32_t>> charts;
-    for (std::uint32_t c = 0; c < sameBox_.size(); ++c)
-      if (sameBox_[c] && (sign_[c] = signOf(c)) != 0) charts.emplace_back(outlineOf(c), c);
-    sortStably(charts, [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Outline> outline(sameBox_.size());
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t c = 0; c < sameBox_.size(); ++c) {
+      if (!sameBox_[c] || (sign_[c] = signOf(c)) == 0) continue;
+      outline[c] = outlineOf(c);
+      order.push_back(c);
+    }
+    sort(order, [&](std::uint32_t a, std::uint32_t b) { return outline[a] < outline[b]; });
     std::vector<StackedChart> out(sameBox_.size());
-    for (std::size_t i = 0, end = 0; i < charts.size(); i = end) {
+    for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
       std::uint32_t base = kOnNone;
-      for (end = i; end < charts.size() && charts[end].first == charts[i].first; ++end)
-        if (base == kOnNone && sign_[charts[end].second] > 0) base = charts[end].second;
+      for (end = i; end < order.size() && outline[order[end]] == outline[order[i]]; ++end)
+        if (base == kOnNone && sign_[order[end]] > 0) base = order[end];
       for (std::size_t k = i; k < end && base != kOnNone; ++k)
-        if (const std::uint32_t c = charts[k].second; c != base && (sign_[c] > 0 || mayMirror))
+        if (const std::uint32_t c = order[k]; c != base && (sign_[c] > 0 || mayMirror))
           out[c] = {base, sign_[c] < 0};
     }
     return out;
   }
 
  private:
+  static void sort(std::vector<std::uint32_t>& charts, const IsBefore& isBefore) {
+    sortStably(charts.data(), charts.data() + charts.size(), isBefore);
+  }
   bool isGrouped(std::uint32_t chart) const { return chart < sameBox_.size() && sameBox_[chart]; }
   const double* at(std::uint32_t v) const { return &uv_[2 * std::size_t{v}]; }
   bool isEmpty(std::size_t t) const {
@@ -75,7 +82,7 @@ class StackFinder {
     std::vector<std::uint32_t> order;
     for (std::uint32_t c = 0; c < boxes.size(); ++c)
       if (boxes[c][0] <= boxes[c][2]) order.push_back(c);
-    sortStably(order, [&](std::uint32_t a, std::uint32_t b) { return boxes[a] < boxes[b]; });
+    sort(order, [&](std::uint32_t a, std::uint32_t b) { return boxes[a] < boxes[b]; });
     for (std::size_t i = 1; i < order.size(); ++i)
       if (boxes[order[i]] == boxes[order[i - 1]]) sameBox_[order[i]] = sameBox_[order[i - 1]] = 1;
   }
@@ -89,22 +96,28 @@ class StackFinder {
     return 0;
   }
 
-  /// As if it ran counter-clockwise.
+  /// As if it ran counter-clockwise. Edges in opposite directions cancel, so two charts with the
+  /// same outline cover each place equally often.
   Outline outlineOf(std::uint32_t chart) const {
     std::vector<Edge> sides;
     for (std::uint32_t i = begin_[chart]; i < begin_[chart + 1]; ++i) {
-      if (isEmpty(ofChart_[i])) continue;
       const std::uint32_t* v = &triangles_[3 * std::size_t{ofChart_[i]}];
-      for (std::size_t k = 0; k < 3; ++k) sides.push_back({v[k], v[(k + 1) % 3]});
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double *a = at(v[k]), *b = at(v[(k + 1) % 3]);
+        if (sign_[chart] < 0) std::swap(a, b);
+        sides.push_back({a[0], a[1], b[0], b[1]});
+      }
     }
     sortStably(sides, std::less<>());
     Outline out;
-    for (const auto& [from, to] : sides) {
-      if (std::binary_search(sides.begin(), sides.end(), Edge{to, from})) continue;
-      const double *a = at(sign_[chart] > 0 ? from : to), *b = at(sign_[chart] > 0 ? to : from);
-      out.push_back({a[0], a[1], b[0], b[1]});
+    for (auto first = sides.begin(); first != sides.end();) {
+      const auto last = std::upper_bound(first, sides.end(), *first);
+      const Edge& e = *first;
+      const auto back = std::equal_range(sides.begin(), sides.end(), Edge{e[2], e[3], e[0], e[1]});
+      for (auto more = (last - first) - (back.second - back.first); more > 0; --more)
+        out.push_back(e);
+      first = last;
     }
-    sortStably(out, std::less<>());
     return out;
   }
 
