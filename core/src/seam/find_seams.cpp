@@ -11,6 +11,7 @@
 #include "seam/geometric_order.h"
 #include "seam/prediction.h"
 #include "seam/seam_value.h"
+#include "seam/vary_costs.h"
 
 namespace abflat {
 namespace {
@@ -138,7 +139,8 @@ Seams findSeams(const SeamMesh& mesh, Seams given, const SeamOptions& options, S
     if (given[h]) given[mesh.twin[h]] = given[h] = 1;
   }
   // So that it is not the numbers that decide between seams that are equally good.
-  const SeamPart part = inGeometricOrder(mesh);
+  SeamPart part = inGeometricOrder(mesh);
+  varyCosts(options.variant, part.mesh);
   SeamOptions own = options;
   own.first = part.ofCorners(options.first);
   own.eliminationRanks = part.ofVertices(options.eliminationRanks);

@@ -1,13 +1,17 @@
 #include "seam/principal_axes.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "base/few_bits.h"
 
 namespace abflat {
 namespace {
 
 using Matrix = std::array<Vec3, 3>;
 
-/// The eigenvectors of a symmetric matrix, by Jacobi's rotations.
+/// The eigenvectors of a symmetric matrix, by Jacobi's rotations; that of the largest eigenvalue
+/// first.
 Matrix eigenvectors(Matrix a) {
   constexpr int kSweeps = 12;
   constexpr double kRounding = 1e-9;
@@ -33,7 +37,11 @@ Matrix eigenvectors(Matrix a) {
             (*m)[q][i] = s * x + c * y;
           }
       }
-  return v;
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return inFewBits(a[i][i]) > inFewBits(a[j][j]);
+  });
+  return {v[order[0]], v[order[1]], v[order[2]]};
 }
 
 Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }

@@ -1,6 +1,7 @@
 #include "unwrap/chart.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/counted.h"
 #include "base/point2.h"
@@ -136,6 +137,18 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
 std::vector<double> inChartUnit(const DiskChart& chart, std::vector<double> uv) {
   for (double& x : uv) x /= chart.unit;
   return uv;
+}
+
+bool scaleToSurface(const DiskChart& chart, std::vector<double>& uv) {
+  double twice = 0;
+  for (const ChartTriangle f : chart.surfaceTriangles()) {
+    const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
+    twice += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  }
+  const double factor = std::sqrt(2 * areaOf(chart) / twice);
+  if (!std::isfinite(factor)) return false;
+  for (double& x : uv) x *= factor;
+  return true;
 }
 
 double areaOf(const DiskChart& chart) { return surfaceArea(chart) * chart.unit * chart.unit; }

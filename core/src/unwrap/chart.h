@@ -54,6 +54,7 @@ struct FlatChart {
   std::uint32_t movedVertices = 0;  ///< vertices moved to keep triangles apart after rounding
   int iterations = 0;               ///< of the solver
   Solver solver = Solver::ActiveSet;
+  ChartShape shape = ChartShape::Other;
   bool isFixed = false;      ///< uv is its place in the atlas from the start; packing leaves it
   bool isGiven = false;      ///< uv is that of the input or an earlier run, which has been checked
   bool isStacked = false;    ///< it stays on another chart that stays
@@ -80,6 +81,10 @@ std::vector<double> inChartUnit(const DiskChart& chart, std::vector<double> uv);
 
 /// Area of the surface, in the mesh's unit.
 double areaOf(const DiskChart& chart);
+
+/// Scales coordinates in the mesh's unit so that the layout has the area of the surface. False if it
+/// has none.
+bool scaleToSurface(const DiskChart& chart, std::vector<double>& uv);
 
 /// `goesOn` is called often, from the calling thread; when it returns false, the layout is empty.
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,

@@ -121,6 +121,7 @@ UnwrapChart chartRow(const CutMesh& mesh, ChartId i, const FlatChart& flat) {
   row.boundaryVertices = chart.boundary.size();
   row.filledHoles = chart.filledHoles;
   row.area = flat.area;
+  row.shape = flat.shape;
   row.solver = flat.solver;
   row.fixed = flat.isFixed;
   row.iterations = flat.iterations;

@@ -14,22 +14,11 @@
 namespace abflat {
 namespace {
 
-double signedArea(const DiskChart& chart, const std::vector<double>& uv) {
-  double twice = 0;
-  for (const ChartTriangle f : chart.surfaceTriangles()) {
-    const auto [a, b, c] = pointsOf(uv, verticesOf(chart.vertexOfCorner, f));
-    twice += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  }
-  return twice / 2;
-}
-
 /// `uv` is in the mesh's unit.
 FlatChart pieceAsItLies(const DiskChart& chart, std::vector<double> uv, Solver solver) {
   FlatChart out;
   out.area = areaOf(chart);
-  const double factor = std::sqrt(out.area / signedArea(chart, uv));
-  if (!std::isfinite(factor)) return {};
-  for (double& x : uv) x *= factor;
+  if (!scaleToSurface(chart, uv)) return {};
   out.unpacked = uv;
   for (double& x : uv) x /= chart.unit;
   if (!checkSeparated(chart, uv).valid()) return {};
@@ -49,7 +38,9 @@ std::unique_ptr<UncommonParts> historyOf(const FlatChart& whole) {
 }
 
 bool isSame(const ChartTopology& a, const ChartTopology& b) {
-  return a.triangleCount() == b.triangleCount() && a.triangles.size() == b.triangles.size() &&
+  return a.triangleCount() == b.triangleCount() &&
+         std::equal(a.triangles.begin(), a.triangles.end(), b.triangles.begin(),
+                    b.triangles.end()) &&
          std::equal(a.twin.begin(), a.twin.end(), b.twin.begin());
 }
 

@@ -42,6 +42,7 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
   for (double& x : found.uv) x *= ordered.unit;
   std::vector<double> places = inFormerOrder(found.uv, former);
   const DiskChart chart = set.chart(i);
+  if (!scaleToSurface(chart, places)) return;
   const ChartDistortion distortion(measureDistortion(chart, inChartUnit(chart, places)));
   const double more = distortion.symmetricDirichlet - flat.distortion.symmetricDirichlet;
   const bool isWorth =

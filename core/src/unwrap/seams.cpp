@@ -39,7 +39,7 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
                         const UnwrapOptions& options, const Pulse& pulse) {
   const Surface& surface = uncut.surface;
   const PolygonMesh& mesh = uncut.welded.mesh;
-  Seams given = withBorders(asked.seams, asked.fixed);
+  Seams given = withBorders(asked.seams, uncut.fixed);
   CornerTable table = surface.table;
   for (const SurfaceCorner h : given.ids())
     if (given[h]) table.twin[h] = SurfaceCorner();
@@ -51,8 +51,8 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
   Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;
   OpenSurface out;
   out.mesh = meshOf(table, fans);
-  fillHoles(options.fillHoles, asked.fixed.isFixed, out.mesh, pulse);
-  if (isAny && out.mesh.hole.empty() && asked.fixed.isFixed.empty() &&
+  fillHoles(options.fillHoles, uncut.fixed.isFixed, out.mesh, pulse);
+  if (isAny && out.mesh.hole.empty() && uncut.fixed.isFixed.empty() &&
       asked.scales.ofTriangle.empty()) {
     fans = surface.fans;
     out.mesh = meshOf(surface.table, fans);
@@ -74,8 +74,9 @@ double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
 }
 
 SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, ThreadPool& pool,
-                        std::function<bool()> keepsOn) {
+                        std::function<bool()> keepsOn, int variant = 0) {
   SeamOptions out;
+  out.variant = variant;
   out.isAuto = options.seams.isAuto;
   out.maxStretch = stretchBeforeRefining(options.maxStretch, options.balance);
   if (options.seamCosts == SeamCosts::Length) out.prices = SeamPrices::none();
@@ -207,36 +208,39 @@ EliminationRanks ranksOf(const OpenSurface& open, std::size_t vertices, const Op
   return out;
 }
 
-OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked,
+OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
                      const UnwrapOptions& options, ThreadPool& pool,
-                     const std::function<bool()>& keepsOn, SeamReport& found,
-                     const OpenSurface* before = nullptr) {
+                     const std::function<bool()>& keepsOn, SeamReport& found) {
   OpenSurface open = openAndFill(uncut, asked, options, Pulse(keepsOn));
   open.unit = uncut.unit * unitOf(uncut.welded, open);
-  SeamOptions toBegin = seamOptions(options, open, pool, keepsOn);
+  SeamOptions toBegin = seamOptions(options, open, pool, keepsOn, variant.costs);
   // How much stretch refining leaves is only known to about a third, and cutting again takes
   // another run.
   constexpr double kShare = 0.85;
   if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
-  if (before) toBegin.eliminationRanks = ranksOf(*before, uncut.welded.mesh.vertexCount(), open);
+  if (variant.before)
+    toBegin.eliminationRanks = ranksOf(*variant.before, uncut.welded.mesh.vertexCount(), open);
+  // Symmetric seams that were not preferable hardly ever become so.
+  const bool isAsymmetric = variant.before && !variant.before->mirror;
+  if (isAsymmetric && options.symmetricSeams == SymmetricSeams::Auto)
+    toBegin.symmetricSeams = SymmetricSeams::Never;
   const EliminationRanks ranks = toBegin.eliminationRanks;
-  findAround(asked.fixed.isFixed, toBegin, open, found);
-  if (before) open.eliminationRanks = ranks;
+  findAround(uncut.fixed.isFixed, toBegin, open, found);
+  if (variant.before) open.eliminationRanks = ranks;
   return open;
 }
 
 /// Cuts flat regions with holes out along their creases, if that costs less than seams through
 /// them.
-void openPlates(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
-                ThreadPool& pool, const std::function<bool()>& keepsOn, OpenSurface& open,
-                SeamReport& found) {
+void openPlates(const UncutSurface& uncut, const AskedCuts& asked, int costs,
+                const UnwrapOptions& options, ThreadPool& pool,
+                const std::function<bool()>& keepsOn, OpenSurface& open, SeamReport& found) {
   const Seams borders = plateBorders(open.mesh);
   if (borders.empty()) return;
-  Seams seams = asked.seams;
-  for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] || borders[h];
+  AskedCuts along = asked;
+  for (const SurfaceCorner h : along.seams.ids()) along.seams[h] = along.seams[h] || borders[h];
   SeamReport report;
-  OpenSurface other = openWith(uncut, {seams, asked.hard, asked.scales, asked.fixed}, options, pool,
-                               keepsOn, report, &open);
+  OpenSurface other = openWith(uncut, along, {costs, &open}, options, pool, keepsOn, report);
   if (report.cancelled) found.cancelled = true;
   const SeamOptions how = seamOptions(options, open, pool, keepsOn);
   // Of symmetric seams less is known than of those that they were preferred to.
@@ -292,14 +296,16 @@ void takeOther(OpenSurface& open) {
   open.otherwise = KnownSeams();
 }
 
-std::string asymmetryNote(Asymmetry why) {
+}  // namespace
+
+std::string asymmetryNote(const OpenSurface& open, const UnwrapOptions& options) {
+  if (!options.seams.isAuto || options.symmetricSeams != SymmetricSeams::Always || open.mirror)
+    return {};
   const std::string what = "seams are not symmetric: ";
-  if (why == Asymmetry::NoPlane) return what + "the mesh is not its own mirror image";
-  if (why == Asymmetry::SeamsGiven) return what + "some seams or islands were given";
+  if (open.asymmetry == Asymmetry::NoPlane) return what + "the mesh is not its own mirror image";
+  if (open.asymmetry == Asymmetry::SeamsGiven) return what + "some seams or islands were given";
   return what + "charts would be stretched too much or overlap themselves";
 }
-
-}  // namespace
 
 std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit) {
   const auto face = [&](auto triangle) {
@@ -310,19 +316,18 @@ std::string scaleNote(const ScaleJump& jump, const SurfaceMap& map, double unit)
          ", is " + withDigits(jump.smallSide * unit, 3);
 }
 
-OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
-                    ThreadPool& pool, const std::function<bool()>& keepsOn, SeamSummary& summary,
-                    std::vector<std::string>& notes) {
+OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
+                    const UnwrapOptions& options, ThreadPool& pool,
+                    const std::function<bool()>& keepsOn, SeamSummary& summary) {
   SeamReport found;
-  OpenSurface open = openWith(uncut, asked, options, pool, keepsOn, found);
+  OpenSurface open = openWith(uncut, asked, variant, options, pool, keepsOn, found);
   const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
   if (options.seams.isAuto && !isSymmetric && !found.cancelled)
-    openPlates(uncut, asked, options, pool, keepsOn, open, found);
+    openPlates(uncut, asked, variant.costs, options, pool, keepsOn, open, found);
   summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;
-  if (options.seams.isAuto && isSymmetric && found.asymmetry != Asymmetry::None)
-    notes.push_back(asymmetryNote(found.asymmetry));
+  open.asymmetry = found.asymmetry;
   return open;
 }
 

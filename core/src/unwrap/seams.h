@@ -29,7 +29,8 @@ struct OpenSurface {
   LogScales scale;                    ///< expected
   LogScales foundScale;               ///< expected, before seams were shortened
   Mirror mirror;                      ///< what the seams are symmetric to, if they are
-  KnownSeams otherwise;               ///< to be used if symmetric seams are worse than expected
+  Asymmetry asymmetry = Asymmetry::None;
+  KnownSeams otherwise;  ///< to be used if symmetric seams are worse than expected
 };
 
 /// A surface before it is cut.
@@ -37,21 +38,30 @@ struct UncutSurface {
   const WeldedMesh& welded;
   double unit;  ///< of the welded mesh, in units of the input
   const Surface& surface;
+  const FixedTriangles& fixed;  ///< what stays as it is
 };
 
 /// Where the surface has to be cut, whatever else is found.
 struct AskedCuts {
-  const Seams& seams;
-  const Seams& hard;  ///< hard edges, cut or not; empty if unknown
-  const Scales& scales;
-  const FixedTriangles& fixed;
+  Seams seams;
+  Seams hard;  ///< hard edges, cut or not; empty if unknown
+  Scales scales;
+};
+
+/// Which of several searches for seams it is.
+struct SeamVariant {
+  int costs = 0;                        ///< see varyCosts
+  const OpenSurface* before = nullptr;  ///< what another search found; null: this is the first one
 };
 
 /// Cuts the surface around what is fixed, and fills the holes of its charts. `keepsOn` as in
-/// SeamOptions. Adds a note if seams should be symmetric, but cannot be.
-OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const UnwrapOptions& options,
-                    ThreadPool& pool, const std::function<bool()>& keepsOn, SeamSummary& summary,
-                    std::vector<std::string>& notes);
+/// SeamOptions.
+OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
+                    const UnwrapOptions& options, ThreadPool& pool,
+                    const std::function<bool()>& keepsOn, SeamSummary& summary);
+
+/// A note if seams should be symmetric, but are not; empty otherwise.
+std::string asymmetryNote(const OpenSurface& open, const UnwrapOptions& options);
 
 /// How flattening distorted a chart.
 struct Stretched {

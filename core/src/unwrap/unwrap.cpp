@@ -21,6 +21,7 @@
 #include "unwrap/atlas.h"
 #include "unwrap/certificate.h"
 #include "unwrap/chart.h"
+#include "unwrap/chart_shapes.h"
 #include "unwrap/densities.h"
 #include "unwrap/fixed.h"
 #include "unwrap/known.h"
@@ -37,6 +38,7 @@
 #include "unwrap/stacks.h"
 #include "unwrap/turned.h"
 #include "unwrap/unseen.h"
+#include "unwrap/variants.h"
 
 namespace abflat {
 namespace {
@@ -147,23 +149,24 @@ class Unwrapping {
   }
 
   Status cut() {
-    Seams hard = hardEdges(map());
-    Result<Seams> given = givenSeams(map(), options_.seams, hard);
+    asked_.hard = hardEdges(map());
+    Result<Seams> given = givenSeams(map(), options_.seams, asked_.hard);
     if (!given.ok()) return given.status;
-    Scales scales;
-    if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, given.value);
+    asked_.seams = std::move(given.value);
+    Scales& scales = asked_.scales;
+    if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, asked_.seams);
     if (scales.sharpest) report_.notes.push_back(scaleNote(*scales.sharpest, map(), unit_));
     Result<FixedTriangles> fixed = fixedTriangles(map(), options_);
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
-    stacks_.leaveOutComponents({surface_, fixed_, hard, given.value, scales});
+    stacks_.leaveOutComponents({surface_, fixed_, asked_.hard, asked_.seams, scales});
     if (fixed_.isFixed.empty()) hideUnseen();
     Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
-        {welded_, unit_, surface_}, {given.value, hard, scales, fixed_}, options_, *pool_,
-        [&] { return monitor_.tell(kSeams, search.next()); }, report_.seams, report_.notes);
-    surface_.fans = Fans();
+        uncut(), asked_, {}, options_, *pool_, [&] { return monitor_.tell(kSeams, search.next()); },
+        report_.seams);
+    if (moreSearches() == 0) surface_.fans = Fans();
     monitor_.tellAgain();
     if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);
     return {};
@@ -188,21 +191,78 @@ class Unwrapping {
     truePositions_ = std::vector<double>();
   }
 
-  /// Flattens all charts, and cuts those further that are stretched more than predicted.
+  UncutSurface uncut() const { return {welded_, unit_, surface_, fixed_}; }
+
+  /// How many other searches for seams there are.
+  int moreSearches() const {
+    const bool isFree = canCut(options_) && fixed_.isFixed.empty();
+    return isFree ? variantsWorth(surface_.table.triangles().size()) : 0;
+  }
+
   Status flatten() {
+    const auto tell = [&](double share) { return tellSolve(share); };
+    isSearching_ = moreSearches() > 0;
+    if (Status s = flattenCut(tell); !s.ok()) return s;
+    if (isSearching_)
+      if (Status s = searchMore(); !s.ok()) return s;
+    rectifyAll(
+        options_, unit_, *pool_, [&] { return tell(1); }, charts_);
+    return {};
+  }
+
+  /// Cuts small meshes in other ways, too, and keeps what turns out best.
+  Status searchMore() {
+    constexpr int kMostFruitless = 3;
+    const int searches = moreSearches();
+    FlatCut best{std::move(open_), std::move(charts_)};
+    int fruitless = isSettled(options_, best) ? kMostFruitless : 0;
+    for (int k = 1; k <= searches && fruitless < kMostFruitless; ++k) {
+      if (Status s = cutAgain({k, &best.open}); !s.ok() || monitor_.stopped()) return s;
+      FlatCut other{std::move(open_), std::move(charts_)};
+      fruitless = takeBetter(welded_, options_, best, other) ? 0 : fruitless + 1;
+    }
+    open_ = std::move(best.open);
+    charts_ = std::move(best.charts);
+    surface_.fans = Fans();
+    return layOutAsWished();
+  }
+
+  /// Searches take no notice of pins and of what is known, so that these change no seam.
+  Status layOutAsWished() {
+    isSearching_ = false;
+    if (Status s = readWishes(); !s.ok()) return s;
+    LaidCharts solved = std::move(charts_);
+    charts_ = {chartsOf(welded_, open_), {}};
+    charts_.flat.resize(charts_.set.size());
+    if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, charts_.flat); !s.ok()) return s;
+    for (const ChartId i : charts_.set.ids())
+      if (!wishes_[i].pins.empty()) solved.flat[i] = FlatChart();
+    moveSame(solved, charts_);
+    return flattenCut([&](double) { return monitor_.tellAgain(); });
+  }
+
+  Status cutAgain(const SeamVariant& variant) {
+    const auto goesOn = [&] { return monitor_.tellAgain(); };
+    SeamSummary summary;  // that of the first search holds
+    report_.timings.solve += watch_.lap();
+    open_ = cutOpen(uncut(), asked_, variant, options_, *pool_, goesOn, summary);
+    report_.timings.seams += watch_.lap();
+    if (monitor_.stopped()) return {};
+    charts_ = {chartsOf(welded_, open_), {}};
+    return flattenCut([&](double) { return goesOn(); });
+  }
+
+  /// Flattens all charts, and cuts those further that are stretched more than predicted.
+  Status flattenCut(const std::function<bool(double)>& tell) {
     if (Status s = readWishes(); !s.ok()) return s;
     charts_.flat.resize(charts_.set.size());
     if (Status s = layOutFixed(cutMesh(), fixed_, options_, charts_.flat); !s.ok()) return s;
     if (Status s = checkUnpinned(charts_.set, wishes_, charts_.flat); !s.ok()) return s;
-    const auto tell = [&](double share) { return tellSolve(share); };
     if (Status s = layOut(tell); !s.ok()) return s;
     constexpr int kMostRounds = 8;
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve, tell); !s.ok()) return s;
     if (Status s = endSearch(tell); !s.ok()) return s;
-    if (Status s = halveRuined(report_.timings.solve, tell); !s.ok()) return s;
-    rectifyAll(
-        options_, unit_, *pool_, [&] { return tell(1); }, charts_);
-    return {};
+    return halveRuined(report_.timings.solve, tell);
   }
 
   /// Tries more on charts for which no seam was found.
@@ -285,6 +345,10 @@ class Unwrapping {
   Status readWishes() {
     monitor_.tellAgain();
     texcoords_ = numberTexcoords(cutMesh());
+    if (isSearching_) {
+      wishes_.assign(charts_.set.size(), {});
+      return {};
+    }
     Result<IdVector<ChartId, ChartWishes>> wishes =
         chartWishes(cutMesh(), texcoords_, fixed_, options_);
     if (!wishes.ok()) return wishes.status;
@@ -294,7 +358,9 @@ class Unwrapping {
 
   /// Lays out charts that have no layout yet.
   Status layOut(const std::function<bool(double)>& tell) {
-    if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, charts_.flat); !s.ok()) return s;
+    if (!isSearching_)
+      if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, charts_.flat); !s.ok())
+        return s;
     flattenAll(wishes_, options_, *pool_, monitor_, tell, charts_);
     return {};
   }
@@ -444,6 +510,8 @@ class Unwrapping {
   /// the memory.
   void endCutting() {
     monitor_.tellAgain();
+    if (std::string note = asymmetryNote(open_, options_); !note.empty())
+      report_.notes.push_back(std::move(note));
     measureStraight(charts_.set, charts_.flat);
     Seams seams;
     if (stacks_.isAny()) {
@@ -455,6 +523,8 @@ class Unwrapping {
       seams = visibleSeams(open_);
       measureSeams(open_, seams, report_.seams);
     }
+    report_.seams.symmetric = static_cast<bool>(open_.mirror);
+    nameShapes(charts_.set, charts_.flat);
     out_.seams = seamEdges(map(), seams);
     open_ = OpenSurface();
     wishes_ = IdVector<ChartId, ChartWishes>();
@@ -495,11 +565,13 @@ class Unwrapping {
   std::vector<double> truePositions_;  ///< positions of the welded mesh, if it has others meanwhile
   Surface surface_;
   std::unique_ptr<ThreadPool> pool_;
+  AskedCuts asked_;
   FixedTriangles fixed_;
   OpenSurface open_;
   LaidCharts charts_;
   Texcoords texcoords_;
   IdVector<ChartId, ChartWishes> wishes_;
+  bool isSearching_ = false;             ///< for seams, of which the best are taken
   int round_ = 0;                        ///< of flattening
   static constexpr double kUncut = 0.6;  ///< share of packing before charts may be cut for it
   Packing packing_;

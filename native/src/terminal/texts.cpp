@@ -1,7 +1,9 @@
 #include "terminal/texts.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <tuple>
 #include <vector>
 
 #include "abflat/flatten.h"
@@ -73,6 +75,24 @@ std::string resultText(const Report& report, const std::string& inputName,
   return out.str();
 }
 
+/// " (3 strips, 2 discs)"; empty if no chart has a shape with a name.
+std::string shapesText(const std::vector<UnwrapChart>& charts) {
+  constexpr std::tuple<ChartShape, const char*, const char*> kShapes[] = {
+      {ChartShape::Rectangle, "rectangle", "rectangles"},
+      {ChartShape::Strip, "strip", "strips"},
+      {ChartShape::Disc, "disc", "discs"},
+      {ChartShape::Ring, "ring", "rings"}};
+  std::string out;
+  for (const auto& [shape, one, several] : kShapes) {
+    const auto count =
+        std::count_if(charts.begin(), charts.end(),
+                      [shape = shape](const UnwrapChart& chart) { return chart.shape == shape; });
+    if (count > 0)
+      out += (out.empty() ? " (" : ", ") + counted(static_cast<std::size_t>(count), one, several);
+  }
+  return out.empty() ? out : out + ")";
+}
+
 std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
                        const std::string& outputName) {
   std::ostringstream out;
@@ -82,7 +102,8 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << counted(report.input.vertices, "vertex", "vertices") << ", "
       << counted(report.input.components, "component", "components") << "\n";
   for (const std::string& line : repairLines(report.repair)) out << "  " << line << "\n";
-  out << "  " << counted(report.charts.size(), "chart", "charts") << ", seam length "
+  out << "  " << counted(report.charts.size(), "chart", "charts") << shapesText(report.charts)
+      << (report.seams.symmetric ? ", symmetric" : "") << ", seam length "
       << report.seams.relativeLength << " times the square root of the area"
       << (report.seams.filledHoles == 0
               ? ""

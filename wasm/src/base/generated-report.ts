@@ -1,6 +1,7 @@
 // Generated from core/schema by scripts/generate.mjs, do not edit.
 
 import type {
+  ChartShape,
   FlattenOptionValues,
   LinearSolver,
   MethodKey,
@@ -285,6 +286,8 @@ export interface SeamSummary {
   handleLength: number;
   /** Boundary loops in charts that no seam joins to the outer boundary. */
   filledHoles: number;
+  /** Whether seams on the two sides of a plane mirror each other, as far as the mesh does. */
+  symmetric: boolean;
 }
 
 /** A chart of unwrap; its measures are at the chart's own scale. */
@@ -299,6 +302,8 @@ export interface UnwrapChart {
   filledHoles: number;
   /** Area in 3D; null beyond the range of doubles. */
   area: number | null;
+  /** What it looks like. */
+  shape: ChartShape;
   /** What made the layout. */
   solver: Solver;
   /** Whether it stays where the input, an earlier run or pins put it. */

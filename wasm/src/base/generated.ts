@@ -187,6 +187,9 @@ export const UNWRAP_OPTIONS = {
 /** What made the layout of a chart. */
 export type Solver = 'activeSet' | 'interiorPoint' | 'tutte' | 'known' | 'given' | 'projection';
 
+/** What a chart looks like. */
+export type ChartShape = 'other' | 'rectangle' | 'strip' | 'disc' | 'ring';
+
 /** A stage of a run of flatten. */
 export type FlattenStage = 'read' | 'connectivity' | 'solve' | 'layout' | 'refine' | 'check' | 'write';
 

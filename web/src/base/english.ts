@@ -808,6 +808,15 @@ export const SHOWN = {
     `${counted(faces, 'polygon')}, ${counted(triangles, 'triangle')}`,
   charts: (charts: number, tiles: number) =>
     counted(charts, 'chart') + (tiles > 1 ? `, ${counted(tiles, 'tile')}` : ''),
+  /** What charts look like. */
+  shapes: {
+    rectangle: (charts: number) => counted(charts, 'rectangle'),
+    strip: (charts: number) => counted(charts, 'strip'),
+    disc: (charts: number) => counted(charts, 'disc'),
+    ring: (charts: number) => counted(charts, 'ring'),
+  },
+  symmetric: 'symmetric',
+  packingCuts: (cuts: number) => `${count(cuts)} cut to pack tighter`,
   t: (t: Bound) => `t = ${bound(t)}`,
   /** `t` is null where the boundary is free, except at tightened vertices. */
   automaticT: (t: number | null, tightened: number) => {

@@ -50,13 +50,25 @@ export function failure(source: Source, settings: Settings | null, message: stri
 }
 
 /**
- * The number of charts of an atlas, or the t of a layout with the value that the automatic choice
- * found.
+ * The charts of an atlas and what they look like, or the t of a layout with the value that the
+ * automatic choice found.
  */
 export function layoutInfo(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return boundInfo(outcome);
   const { charts, atlas } = outcome.result.report;
-  return SHOWN.charts(charts.length, atlas.tiles);
+  const found = foundText(outcome.result.report);
+  return SHOWN.charts(charts.length, atlas.tiles) + (found ? `: ${found}` : '');
+}
+
+/** "3 strips, 2 discs, symmetric" */
+function foundText({ charts, seams, atlas }: Unwrapped['result']['report']): string {
+  const shapes = Object.entries(SHOWN.shapes).flatMap(([shape, named]) => {
+    const several = charts.filter((chart) => chart.shape === shape).length;
+    return several > 0 ? [named(several)] : [];
+  });
+  const symmetric = seams.symmetric ? [SHOWN.symmetric] : [];
+  const cuts = atlas.packingCuts > 0 ? [SHOWN.packingCuts(atlas.packingCuts)] : [];
+  return [...shapes, ...symmetric, ...cuts].join(', ');
 }
 
 function boundInfo(outcome: Flattened): string {

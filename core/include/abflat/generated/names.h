@@ -37,6 +37,31 @@ inline const char* nameOf(Solver code) {
   return "";
 }
 
+/// What a chart looks like.
+enum class ChartShape : std::uint8_t {
+  Other = 0,  ///< none of the others
+  Rectangle = 1,  ///< a rectangle, less than three times as long as wide
+  Strip = 2,  ///< a rectangle at least three times as long as wide
+  Disc = 3,  ///< a disc, or a regular polygon with eight corners or more
+  Ring = 4,  ///< a disc with a hole
+};
+
+inline const char* nameOf(ChartShape code) {
+  switch (code) {
+    case ChartShape::Other:
+      return "other";
+    case ChartShape::Rectangle:
+      return "rectangle";
+    case ChartShape::Strip:
+      return "strip";
+    case ChartShape::Disc:
+      return "disc";
+    case ChartShape::Ring:
+      return "ring";
+  }
+  return "";
+}
+
 /// A stage of a run.
 enum class Stage : std::uint8_t {
   Read = 0,  ///< reading the input

@@ -67,6 +67,8 @@ struct SeamSummary {
   double handleLength = 0;
   /// Boundary loops in charts that no seam joins to the outer boundary.
   std::size_t filledHoles = 0;
+  /// Whether seams on the two sides of a plane mirror each other, as far as the mesh does.
+  bool symmetric = false;
 };
 
 template <class Visitor>
@@ -77,6 +79,7 @@ void visitFields(const SeamSummary& r, Visitor& v) {
   v.field("handleLoops", r.handleLoops);
   v.field("handleLength", r.handleLength);
   v.field("filledHoles", r.filledHoles);
+  v.field("symmetric", r.symmetric);
 }
 
 /// A chart of unwrap; its measures are at the chart's own scale.
@@ -91,6 +94,8 @@ struct UnwrapChart {
   std::size_t filledHoles = 0;
   /// Area in 3D.
   double area = 0;
+  /// What it looks like.
+  ChartShape shape = ChartShape::Other;
   /// What made the layout.
   Solver solver = Solver::ActiveSet;
   /// Whether it stays where the input, an earlier run or pins put it.
@@ -130,6 +135,7 @@ void visitFields(const UnwrapChart& r, Visitor& v) {
   v.field("boundaryVertices", r.boundaryVertices);
   v.field("filledHoles", r.filledHoles);
   v.field("area", r.area);
+  v.field("shape", r.shape);
   v.field("solver", r.solver);
   v.field("fixed", r.fixed);
   v.field("stackedOn", r.stackedOn);

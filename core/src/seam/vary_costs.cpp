@@ -1,0 +1,29 @@
+#include "seam/vary_costs.h"
+
+#include "base/few_bits.h"
+#include "mesh/triangle_geometry.h"
+#include "seam/principal_axes.h"
+
+namespace abflat {
+
+void varyCosts(int variant, SeamMesh& mesh) {
+  if (variant == 0) return;
+  constexpr int kAxes = 3;
+  constexpr double kMost = 0.4, kMean = 1.0 / 3;  // of the square of a coordinate, on a sphere
+  const Vec3 axis = principalAxes(mesh).axes[static_cast<std::size_t>((variant - 1) % kAxes)];
+  const double weight = variant > kAxes ? -kMost : kMost;
+  IdVector<SurfaceTriangle, double> factor;
+  for (const SurfaceTriangle f : mesh.triangles()) {
+    const Vec3 normal = unitNormal(mesh.positions, verticesOf(mesh.vertexOfCorner, f));
+    const double along = dot(axis, normal);
+    factor.push_back(1 + weight * (along * along - kMean));
+  }
+  for (const SurfaceCorner h : mesh.corners()) {
+    const SurfaceCorner o = mesh.twin[h];
+    if (o.exists() && h < o)
+      mesh.cost[h] = mesh.cost[o] =
+          inFewBits(mesh.cost[h] * (factor[triangleOf(h)] + factor[triangleOf(o)]) / 2);
+  }
+}
+
+}  // namespace abflat

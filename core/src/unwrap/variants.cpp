@@ -1,0 +1,162 @@
+#include "unwrap/variants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "seam/occlusion.h"
+#include "seam/vary_costs.h"
+#include "unwrap/pieces.h"
+
+namespace abflat {
+namespace {
+
+/// A cut surface and what is known of its components, which given seams separate.
+class CutValue {
+ public:
+  CutValue(const FlatCut& cut, const UnwrapOptionValues& options)
+      : mesh_(cut.open.mesh),
+        whole_(cutAlong(mesh_, givenSeams(cut.open))),
+        cost_(whole_.charts.size(), 0),
+        beyond_(whole_.charts.size(), 0) {
+    addSeams(cut.open.seams, options.seamCosts == SeamCosts::Sight);
+    addCharts(cut.charts, options);
+  }
+
+  const CutSurface& whole() const { return whole_; }
+  /// What seams, charts and their stretch cost, relative to a component's own size.
+  double cost(CutChartId part) const { return cost_[part]; }
+  /// Where a component nearly unrolls, its creases say where it is cut best.
+  bool unrolls(CutChartId part) const { return beyond_[part] <= 3e-4; }
+  bool unrolls() const {
+    for (const CutChartId c : beyond_.ids())
+      if (!unrolls(c)) return false;
+    return true;
+  }
+  double total() const {
+    double sum = 0;
+    for (const CutChartId c : cost_.ids()) sum += cost_[c] * std::sqrt(whole_.charts[c].area);
+    return sum;
+  }
+
+ private:
+  static Seams givenSeams(const OpenSurface& open) {
+    Seams out(open.mesh.twin.size(), 0);
+    // Where the mesh is open along them, the twin is that of a hole's filling, if there is one.
+    for (const SurfaceCorner h : open.given.ids())
+      out[h] = open.given[h] && open.mesh.isOnSurface(h);
+    return out;
+  }
+
+  /// Where seams are hidden they are cheaper; where their cost counts, so does their length.
+  void addSeams(const Seams& seams, bool isSight) {
+    constexpr double kLength = 0.3, kUnseen = 0.6;
+    const IdVector<SurfaceTriangle, double> hidden =
+        isSight ? occlusion(mesh_) : IdVector<SurfaceTriangle, double>(mesh_.triangleCount(), 0);
+    const double ofLength = isSight ? kLength : 0;
+    for (const SurfaceCorner h : seams.ids()) {
+      if (!seams[h] || !mesh_.isOnSurface(h)) continue;
+      const CutChartId c = whole_.chartOf(h);
+      cost_[c] += (mesh_.cost[h] + ofLength * mesh_.length[h]) *
+                  (1 - kUnseen * hidden[triangleOf(h)]) / (2 * std::sqrt(whole_.charts[c].area));
+    }
+  }
+
+  void addCharts(const LaidCharts& charts, const UnwrapOptionValues& options) {
+    constexpr double kChart = 0.1, kStretch = 5, kBad = 10;
+    for (const ChartId i : charts.set.ids()) {
+      const FlatChart& flat = charts.flat[i];
+      const double stretch = flat.distortion.symmetricDirichlet;
+      const bool isBad = !flat.problem.empty() || stretch > options.maxStretch;
+      double area = 0;
+      for (const SurfaceTriangle f : charts.set.topology(i).triangles) area += mesh_.area[f];
+      const CutChartId c = whole_.chartOfTriangle[charts.set.topology(i).triangles.front()];
+      cost_[c] += kChart + area / whole_.charts[c].area *
+                               (kStretch * std::max(0.0, stretch - 1) + (isBad ? kBad : 0));
+      beyond_[c] += area / whole_.charts[c].area * (isBad ? HUGE_VAL : stretch - 1);
+    }
+  }
+
+  const SeamMesh& mesh_;
+  const CutSurface whole_;
+  IdVector<CutChartId, double> cost_, beyond_;  ///< beyond 1, of the mean stretch
+};
+
+template <class Id, class T>
+bool isEqual(const IdVector<Id, T>& a, const IdVector<Id, T>& b) {
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
+}
+
+/// Borders of plates are given seams of one of them, perhaps.
+bool haveSameParts(const OpenSurface& a, const OpenSurface& b) {
+  return isEqual(a.mesh.twin, b.mesh.twin) &&
+         isEqual(a.mesh.vertexOfCorner, b.mesh.vertexOfCorner) && isEqual(a.given, b.given);
+}
+
+/// Symmetric seams may cost a little more.
+bool isBetterAsAWhole(const CutValue& now, const CutValue& then, const FlatCut& best,
+                      const FlatCut& other, SymmetricSeams asked) {
+  constexpr double kSymmetric = 1.1;
+  const bool was = static_cast<bool>(best.open.mirror), is = static_cast<bool>(other.open.mirror);
+  if (now.unrolls()) return false;
+  if (was && !is && asked == SymmetricSeams::Always) return false;
+  return then.total() * (is ? 1 : kSymmetric) < now.total() * (was ? 1 : kSymmetric);
+}
+
+void takeSeams(const CutSurface& whole, const IdVector<CutChartId, std::uint8_t>& isTaken,
+               OpenSurface& to, OpenSurface& from) {
+  for (OpenSurface* open : {&to, &from}) {
+    open->seams.resize(open->mesh.twin.size(), 0);
+    open->found.resize(open->mesh.twin.size(), 0);
+    open->mesh.excess.resize(open->mesh.triangleCount(), 1);
+  }
+  for (const SurfaceCorner h : to.mesh.corners()) {
+    if (!isTaken[whole.chartOf(h)]) continue;
+    to.seams[h] = from.seams[h];
+    to.found[h] = from.found[h];
+    to.mesh.excess[triangleOf(h)] = from.mesh.excess[triangleOf(h)];
+    const SurfaceVertex v = to.mesh.tail(h);
+    to.scale[v] = from.scale[v];
+    to.foundScale[v] = from.foundScale[v];
+  }
+}
+
+}  // namespace
+
+int variantsWorth(std::size_t triangles) {
+  constexpr std::size_t kTriangles = 20000;  // about half a second
+  return triangles == 0
+             ? 0
+             : static_cast<int>(std::min<std::size_t>(kTriangles / triangles, kCostVariants));
+}
+
+double costOf(const UnwrapOptionValues& options, const FlatCut& cut) {
+  return CutValue(cut, options).total();
+}
+
+bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut) {
+  return CutValue(cut, options).unrolls();
+}
+
+bool takeBetter(const WeldedMesh& welded, const UnwrapOptionValues& options, FlatCut& best,
+                FlatCut& other) {
+  const CutValue now(best, options), then(other, options);
+  if (best.open.mirror || other.open.mirror || !haveSameParts(best.open, other.open)) {
+    if (!isBetterAsAWhole(now, then, best, other, options.symmetricSeams)) return false;
+    best = std::move(other);
+    return true;
+  }
+  IdVector<CutChartId, std::uint8_t> isBetter;
+  for (const CutChartId c : now.whole().charts.ids())
+    isBetter.push_back(then.cost(c) < now.cost(c) && !now.unrolls(c));
+  if (std::find(isBetter.begin(), isBetter.end(), 1) == isBetter.end()) return false;
+  takeSeams(now.whole(), isBetter, best.open, other.open);
+  LaidCharts before = std::move(best.charts);
+  best.charts = {chartsOf(welded, best.open), {}};
+  best.charts.flat.resize(best.charts.set.size());
+  moveSame(before, best.charts);
+  moveSame(other.charts, best.charts);
+  return true;
+}
+
+}  // namespace abflat

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "unwrap/laid_charts.h"
+#include "unwrap/seams.h"
+
+namespace abflat {
+
+/// A surface that is cut, and its flat charts.
+struct FlatCut {
+  OpenSurface open;
+  LaidCharts charts;
+};
+
+/// What its seams, charts and their stretch cost in all.
+double costOf(const UnwrapOptionValues& options, const FlatCut& cut);
+
+/// How many more searches for the seams of a surface are worth their time, which grows with the
+/// number of its triangles.
+int variantsWorth(std::size_t triangles);
+
+/// Whether no other search would be listened to, since all components nearly unroll.
+bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut);
+
+/// Replaces seams of components by those of `other` where they and the stretch of their charts cost
+/// less; layouts of charts move along. Symmetric seams are replaced as a whole, or not at all.
+/// False if nothing is replaced.
+bool takeBetter(const WeldedMesh& welded, const UnwrapOptionValues& options, FlatCut& best,
+                FlatCut& other);
+
+}  // namespace abflat

@@ -1,0 +1,100 @@
+#include "unwrap/variants.h"
+
+#include <utility>
+
+#include "catch.h"
+#include "mesh/surface.h"
+#include "mesh/welded_mesh.h"
+#include "support/copies.h"
+#include "support/meshes.h"
+#include "unwrap/layouts.h"
+
+using namespace abflat;
+using namespace abflat::test;
+
+namespace {
+
+/// Cuts and flattens a mesh in several ways.
+class Searches {
+ public:
+  explicit Searches(const PolygonMesh& mesh)
+      : welded_(weld(mesh, true)), surface_(buildSurface(welded_.mesh)) {
+    asked_.seams.resize(surface_.table.twin.size(), 0);
+    options_.symmetricSeams = SymmetricSeams::Never;
+  }
+
+  FlatCut find(int costs, const OpenSurface* before = nullptr) {
+    const FixedTriangles fixed;
+    SeamSummary summary;
+    FlatCut out;
+    out.open = cutOpen({welded_, 1, surface_, fixed}, asked_, {costs, before}, options_, pool_, {},
+                       summary);
+    out.charts.set = chartsOf(welded_, out.open);
+    out.charts.flat.resize(out.charts.set.size());
+    const IdVector<ChartId, ChartWishes> wishes(out.charts.set.size());
+    const ProgressCallback none;
+    flattenAll(
+        wishes, options_, pool_, Monitor(none), [](double) { return true; }, out.charts);
+    return out;
+  }
+
+  double cost(const FlatCut& cut) const { return costOf(options_, cut); }
+  bool take(FlatCut& best, FlatCut& other) const {
+    return takeBetter(welded_, options_, best, other);
+  }
+
+ private:
+  WeldedMesh welded_;
+  Surface surface_;
+  AskedCuts asked_;
+  UnwrapOptions options_;
+  ThreadPool pool_{1};
+};
+
+/// A closed surface in bumps that does not unroll.
+PolygonMesh bumpyTorus(unsigned seed) {
+  PolygonMesh mesh = torus(18, 12);
+  const PolygonMesh bumps = bumpyGrid(18, 12, 0.4, seed);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    mesh.positions[i] += 0.3 * bumps.positions[(i + 2) % mesh.positions.size()] / 18;
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("of several searches, each component keeps the cheapest", "[unwrap]") {
+  PolygonMesh mesh = bumpyTorus(1);
+  for (const unsigned seed : {2u, 3u})
+    append(mesh, transformed(bumpyTorus(seed), 1, {8.0 * seed, 0, 0}));
+  Searches searches(mesh);
+  FlatCut best = searches.find(0);
+  const IdVector<SurfaceVertex, std::uint32_t> ranks = best.open.eliminationRanks;
+  int replaced = 0;
+  for (int k = 1; k <= 6; ++k) {
+    FlatCut other = searches.find(k, &best.open);
+    const double before = searches.cost(best), offered = searches.cost(other);
+    const bool isAny = searches.take(best, other);
+    replaced += isAny;
+    const double now = searches.cost(best);
+    CHECK(now <= before * (1 + 1e-9));
+    CHECK(now <= offered * (1 + 1e-9));
+    CHECK(isAny == (now < before));
+    for (const FlatChart& chart : best.charts.flat) {
+      CHECK(chart.problem.empty());
+      CHECK_FALSE(chart.unpacked.empty());
+    }
+    CHECK(best.open.eliminationRanks.size() == ranks.size());
+  }
+  CHECK(replaced > 0);
+}
+
+TEST_CASE("what unrolls is not cut in another way", "[unwrap]") {
+  Searches searches(cylinder(16, 4));
+  FlatCut best = searches.find(0), other = searches.find(1, &best.open);
+  const double before = searches.cost(best);
+  CHECK_FALSE(searches.take(best, other));
+  CHECK(searches.cost(best) == before);
+  CHECK(variantsWorth(0) == 0);
+  CHECK(variantsWorth(100) > variantsWorth(6000));
+  CHECK(variantsWorth(1000000) == 0);
+}
