@@ -231,6 +231,7 @@ for (const [name, width, height] of [
       'up',
       'rotate',
       'rectify',
+      'packing-cuts',
       'stack',
       'straight-seams',
     ]) {

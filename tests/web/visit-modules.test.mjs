@@ -40,6 +40,7 @@ function randomSettings(next) {
     up: pick(['auto', 'y', 'z']),
     rotate: pick(['auto', 'free', 'quarter', 'none']),
     rectify: pick(['auto', 'never', 'always']),
+    packingCuts: pick(['auto', 'never']),
     stack: pick(['none', 'identical', 'mirrored']),
     straightSeams: isOn(),
     udim: isOn(),

@@ -272,6 +272,7 @@ export const OPTION_LABELS = {
   up: 'Up axis',
   rotate: 'Rotation',
   rectify: 'Rectify',
+  packingCuts: 'Cut to pack tighter',
   stack: 'Stack equal charts',
   straightSeams: 'Straight seams',
   udim: 'UDIM tiles',

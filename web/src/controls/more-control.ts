@@ -103,7 +103,7 @@ export class MoreControl {
   }
 
   private addChoice(
-    name: 'fillHoles' | 'symmetricSeams' | 'up' | 'rotate' | 'rectify' | 'stack',
+    name: Exclude<MoreName, 't' | 'texelDensity' | 'straightSeams' | 'udim'>,
   ): void {
     const choices: readonly string[] = UNWRAP_OPTIONS[name].choices;
     const select = create('select', 'button');

@@ -10,6 +10,7 @@ export const MORE = [
   'up',
   'rotate',
   'rectify',
+  'packingCuts',
   'stack',
   'straightSeams',
   'udim',
@@ -25,9 +26,9 @@ export const MORE_LABELS: Record<MoreName, string> = OPTION_LABELS;
 
 export function defaultOptions(): MoreOptions {
   const { fillHoles, symmetricSeams, t, texelDensity, up } = UNWRAP_DEFAULTS;
-  const { rotate, rectify, stack, straightSeams, udim } = UNWRAP_DEFAULTS;
+  const { rotate, rectify, packingCuts, stack, straightSeams, udim } = UNWRAP_DEFAULTS;
   const first = { fillHoles, symmetricSeams, t, texelDensity, up };
-  return { ...first, rotate, rectify, stack, straightSeams, udim };
+  return { ...first, rotate, rectify, packingCuts, stack, straightSeams, udim };
 }
 
 /** Several tiles need a given texel density. */
