@@ -93,14 +93,13 @@ bool haveSameParts(const OpenSurface& a, const OpenSurface& b) {
          isEqual(a.mesh.vertexOfCorner, b.mesh.vertexOfCorner) && isEqual(a.given, b.given);
 }
 
-/// Symmetric seams may cost a little more.
+/// Symmetric seams may cost a little more, and others do not replace them.
 bool isBetterAsAWhole(const CutValue& now, const CutValue& then, const FlatCut& best,
-                      const FlatCut& other, SymmetricSeams asked) {
+                      const FlatCut& other) {
   constexpr double kSymmetric = 1.1;
   const bool was = static_cast<bool>(best.open.mirror), is = static_cast<bool>(other.open.mirror);
-  if (now.unrolls()) return false;
-  if (was && !is && asked == SymmetricSeams::Always) return false;
-  return then.total() * (is ? 1 : kSymmetric) < now.total() * (was ? 1 : kSymmetric);
+  if (now.unrolls() || (was && !is)) return false;
+  return then.total() < now.total() * (is && !was ? kSymmetric : 1);
 }
 
 void takeSeams(const CutSurface& whole, const IdVector<CutChartId, std::uint8_t>& isTaken,
@@ -142,7 +141,7 @@ bool takeBetter(const WeldedMesh& welded, const UnwrapOptionValues& options, Fla
                 FlatCut& other) {
   const CutValue now(best, options), then(other, options);
   if (best.open.mirror || other.open.mirror || !haveSameParts(best.open, other.open)) {
-    if (!isBetterAsAWhole(now, then, best, other, options.symmetricSeams)) return false;
+    if (!isBetterAsAWhole(now, then, best, other)) return false;
     best = std::move(other);
     return true;
   }
