@@ -299,7 +299,7 @@ test('session: an atlas is asked for with its own options, in the format of the 
   await rest();
   const { kind, maxStretch, obj } = calls[2];
   assert.deepEqual([kind, maxStretch, obj], ['unwrap', 1.1, true]);
-  calls[2].resolve({});
+  calls[2].resolve({ report: { charts: [] } });
   await rest();
   assert.match(log.at(-1), /^unwrap head/);
 });
@@ -312,7 +312,8 @@ test('session: charts that are packed again are cut nowhere else, and may move',
   const usual = { mode: 'unwrap', seams: 'auto', maxStretch: 1.1 };
   ask(usual);
   await rest();
-  const result = { report: { charts: [{}], valid: true }, seams: Uint32Array.of(3, 4) };
+  const report = { charts: [{ stackedOn: -1 }], valid: true, options: { stack: 'none' } };
+  const result = { report, seams: Uint32Array.of(3, 4) };
   calls[2].resolve(result);
   await rest();
   const placed = { ...result, repacks: true };
