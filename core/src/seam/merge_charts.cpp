@@ -75,8 +75,7 @@ class Merger {
     const OutlinePairs pairs = pairsOf(mesh_, s, run, outlines[run.a]);
     const Outline &a = outlines[run.a], &b = outlines[run.b];
     if (!isHinge_ && roomTogether(a, b, pairs) <= mostRoom(run)) return true;
-    const bool isSpeck = longestExtent(a) + longestExtent(b) <= options_.speck;
-    if (!isHinge_ && !isSpeck && !isTiny(s, run.a, a) && !isTiny(s, run.b, b)) return false;
+    if (!isHinge_ && longestExtent(a) + longestExtent(b) > options_.speck) return false;
     // Joining along a part of a seam changes so little that the union is as good as known.
     const Outline both = outlineTogether(a, b, pairs);
     if (both.empty()) return false;
@@ -96,12 +95,6 @@ class Merger {
     const bool promises = isPromising(s, outlines, run);
     if (!promises) unpromising_[run.edges.front()] = sizes;
     return promises;
-  }
-
-  /// Whether a chart is too small to be one. `outline`: as predicted.
-  bool isTiny(const CutSurface& s, CutChartId chart, const Outline& outline) const {
-    const double area = s.charts[chart].area;
-    return area < options_.leastArea || 2 * area < options_.leastWidth * lengthOf(outline);
   }
 
   bool isRefused(const SharedRun& run) const {
@@ -185,56 +178,35 @@ class Merger {
     return more <= 0;
   }
 
-  /// What joining charts into a single one makes of their outlines.
-  struct Union {
-    Shape shape;
-    double hull = 0, hullsApart = 0;
-    bool isSpeck = false;
-    bool hasTiny = false;  ///< one of the charts is too small to be one
-  };
-
-  Union unionOf(const MergeTrial& trial, const RunsTogether& runs) const {
-    const auto outline = [&](const CutSurface& surface, CutChartId c) {
-      return predictOutline(trial.mesh(), surface, c, trial.scale());
-    };
-    Union out;
-    Outline whole = outline(trial.joined(), trial.joinedAt(runs.front()));
-    out.shape = measureShape(whole);
-    out.isSpeck = out.shape.extent <= options_.speck;
-    out.hull = hullArea(std::move(whole));
-    for (const CutChartId part : trial.partsOf(runs)) {
-      Outline alone = outline(trial.apart(), part);
-      out.hasTiny = out.hasTiny || isTiny(trial.apart(), part, alone);
-      out.hullsApart += hullArea(std::move(alone));
-    }
-    return out;
-  }
-
   /// Of runs that join charts into a single one.
   bool keepsBounds(const MergeTrial& trial, const RunsTogether& runs) const {
     // What is cut is cut for good reasons, so no union may come near the bound. One that is joined
-    // only along a part of its seam, or with next to nothing, is not stretched more than its charts
-    // are.
+    // only along a part of its seam is not stretched more than its charts are.
     constexpr double kMuch = 0.7, kNearlyAll = 0.95;
+    const double ofBound = images_.isInPlane(runs.front()) ? kOfBoundInPlane
+                           : isHinge_                      ? kNearlyAll
+                                                           : kMuch;
+    const CutSurface& s = trial.joined();
     const CutChartId chart = trial.joinedAt(runs.front());
-    const auto isWithin = [&](double ofBound) {
-      return trial.stretchOf(chart) <= 1 + ofBound * (options_.maxStretch - 1);
+    if (!s.charts[chart].isDisk() ||
+        trial.stretchOf(chart) > 1 + ofBound * (options_.maxStretch - 1))
+      return false;
+    const auto outline = [&](const CutSurface& surface, CutChartId c) {
+      return predictOutline(trial.mesh(), surface, c, trial.scale());
     };
-    const bool isInPlane = images_.isInPlane(runs.front());
-    if (!trial.joined().charts[chart].isDisk() ||
-        !isWithin(isInPlane ? kOfBoundInPlane : kNearlyAll))
-      return false;
-    const Union joined = unionOf(trial, runs);
-    const bool isAnyway = joined.isSpeck || joined.hasTiny;
-    if (!isAnyway && !((isInPlane || isHinge_ || isWithin(kMuch)) && isWorth(trial, runs)))
-      return false;
-    const Shape& shape = joined.shape;
+    const Outline whole = outline(s, chart);
+    const Shape shape = measureShape(whole);
+    const bool isSpeck = shape.extent <= options_.speck;
+    if (!isSpeck && !isWorth(trial, runs)) return false;
     if (!shape.crossings.empty() || shape.overlap > options_.mostOverlap ||
-        shape.fill < (isHinge_ || isAnyway ? kLeastFill : options_.leastFill))
+        shape.fill < (isHinge_ || isSpeck ? kLeastFill : options_.leastFill))
       return false;
-    if (joined.isSpeck) return true;
-    if (shape.extent > (isHinge_ || joined.hasTiny ? longest_ : options_.longest)) return false;
-    return joined.hasTiny || joined.hull <= mostRoom(runs.front()) * joined.hullsApart;
+    if (isSpeck) return true;
+    double room = 0;
+    for (const CutChartId part : trial.partsOf(runs))
+      room += hullArea(outline(trial.apart(), part));
+    if (shape.extent > (isHinge_ ? longest_ : options_.longest)) return false;
+    return hullArea(whole) <= mostRoom(runs.front()) * room;
   }
 
   bool isPossible(const MergeTrial& trial, const RunsTogether& runs) const {

@@ -125,15 +125,6 @@ double hullArea(Outline p) {
   return polygonArea(hull);
 }
 
-double lengthOf(const Outline& outline) {
-  double sum = 0;
-  for (const BoundaryIndex i : outline.ids()) {
-    const Point2 &p = outline[i], &q = outline[nextAlong(i, outline.size())];
-    sum += norm(q[0] - p[0], q[1] - p[1]);
-  }
-  return sum;
-}
-
 double longestExtent(const Outline& outline) {
   constexpr int kDirections = 16;
   double longest = 0;

@@ -42,8 +42,6 @@ double polygonArea(const Outline& outline);
 double hullArea(Outline points);
 
 /// Extent in the direction in which it is largest, accurate to a percent.
-double lengthOf(const Outline& outline);
-
 double longestExtent(const Outline& outline);
 
 }  // namespace abflat

@@ -82,13 +82,8 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   if (options.seamCosts == SeamCosts::Length) out.prices = SeamPrices::none();
   out.symmetricSeams = options.symmetricSeams;
   out.fillHoles = options.fillHoles;
-  constexpr double kSpeckTexels = 16, kThinTexels = 8, kLeastShare = 1e-3;
-  const double density = expectedDensity(options, open.mesh.totalArea(), open.unit);
-  out.speck = kSpeckTexels / density;
-  if (options.seamCosts == SeamCosts::Sight) {
-    out.leastWidth = kThinTexels / density;
-    out.leastArea = kLeastShare * open.mesh.totalArea();
-  }
+  constexpr double kSpeckTexels = 16;
+  out.speck = kSpeckTexels / expectedDensity(options, open.mesh.totalArea(), open.unit);
   if (options.udim)  // each chart has to fit a tile
     out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
   out.pool = &pool;

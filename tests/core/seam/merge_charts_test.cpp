@@ -36,10 +36,10 @@ Seams alongColumns(const SeamMesh& m, int count, const std::vector<int>& columns
   return seams;
 }
 
-std::uint32_t merged(const SeamMesh& mesh, const Seams& kept, Seams& seams,
-                     SeamOptions options = {}) {
+std::uint32_t merged(const SeamMesh& mesh, const Seams& kept, Seams& seams) {
   LogScale scale(mesh, nullptr);
   LogScales u = scale.solve(cutAlong(mesh, seams), {});
+  SeamOptions options;
   options.prices = SeamPrices::none();
   return mergeCharts({mesh, kept, options, scale, u, seams});
 }
@@ -141,35 +141,4 @@ TEST_CASE("the room of two outlines does not depend on how they lie", "[merge]")
         std::numeric_limits<double>::infinity());
   const Outline wide = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
   CHECK(roomTogether(wide, box(0, 1, 1, 1), pairs(4, 0, 3, 1)) == Approx(3.5 / 3));
-}
-
-TEST_CASE("charts that are too small to be one are joined, even if that takes more room",
-          "[merge]") {
-  // A bar sticks out of a block.
-  const Cuttable c(squares(8, 8, [](auto i, auto j) { return j < 4 || i == 4; }));
-  const SeamMesh& m = c.seamMesh;
-  const auto cut = [&] {
-    Seams seams(m.twin.size(), 0);
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const SurfaceVertex v : m.vertices()) {
-      low = std::min(low, m.positions[3 * v + 1]);
-      high = std::max(high, m.positions[3 * v + 1]);
-    }
-    const double border = (low + high) / 2;
-    for (const SurfaceCorner h : seams.ids())
-      seams[h] = m.twin[h].exists() && std::abs(m.positions[3 * m.tail(h) + 1] - border) < 1e-9 &&
-                 std::abs(m.positions[3 * m.head(h) + 1] - border) < 1e-9;
-    return seams;
-  };
-  const Seams none(m.twin.size(), 0);
-  Seams seams = cut();
-  REQUIRE(cutAlong(m, seams).charts.size() == 2);
-  CHECK(merged(m, none, seams) == 0);
-  SeamOptions options;
-  options.leastArea = 0.4 * m.totalArea();
-  CHECK(merged(m, none, seams, options) == 1);
-  seams = cut();
-  options.leastArea = 0;
-  options.leastWidth = 10;
-  CHECK(merged(m, none, seams, options) == 1);
 }
