@@ -31,7 +31,7 @@ struct SeamOptions {
   EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are computed
   SeamPrices prices;
   int variant = 0;  ///< of the costs, see varyCosts
-  Mirror mirror;  ///< what seams are kept symmetric to, where they can be; none: nothing
+  Mirror mirror;    ///< what seams are kept symmetric to, where they can be; none: nothing
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
   ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread

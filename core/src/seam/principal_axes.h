@@ -7,8 +7,8 @@
 
 namespace abflat {
 
-/// Where a surface lies, and along which perpendicular unit vectors it spreads, most along the first
-/// one.
+/// Where a surface lies, and along which perpendicular unit vectors it spreads, most along the
+/// first one.
 struct PrincipalAxes {
   Vec3 middle{};
   std::array<Vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

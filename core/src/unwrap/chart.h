@@ -82,8 +82,8 @@ std::vector<double> inChartUnit(const DiskChart& chart, std::vector<double> uv);
 /// Area of the surface, in the mesh's unit.
 double areaOf(const DiskChart& chart);
 
-/// Scales coordinates in the mesh's unit so that the layout has the area of the surface. False if it
-/// has none.
+/// Scales coordinates in the mesh's unit so that the layout has the area of the surface. False if
+/// it has none.
 bool scaleToSurface(const DiskChart& chart, std::vector<double>& uv);
 
 /// `goesOn` is called often, from the calling thread; when it returns false, the layout is empty.
