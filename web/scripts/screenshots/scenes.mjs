@@ -126,7 +126,7 @@ async function details(page) {
 const on = (screen, plays) => Object.entries(plays).map(([name, play]) => ({ name, play, screen }));
 
 export const scenes = [
-  ...on(DESKTOP, { face, spot, materials, samples, heat, grid, arrange, pins, seam, details }),
+  ...on(DESKTOP, { spot, materials, samples, heat, grid, arrange, pins, seam, details }),
   ...on(LOW, { charts }),
   ...on(PHONE, { phone: spot }),
 ];
