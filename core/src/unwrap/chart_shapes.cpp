@@ -35,6 +35,7 @@ ChartShape shapeOf(const ChartTopology& chart, const std::vector<double>& uv) {
   constexpr double kRound = 0.94;  // a regular octagon is, a hexagon is not
   constexpr double kAsWide = 1.15, kNearlyAll = 0.97, kLong = 3;
   const Polygon outline = outlineOf(chart, uv);
+  if (outline.empty()) return ChartShape::Other;  // a given island may be closed
   const double area = massOf(outline).area, length = lengthOf(outline);
   const Pose box = leastBoxPose(convexHull(outline));
   const double ratio = box.width / box.height;
