@@ -107,8 +107,8 @@ class Unwrapping {
       return {StatusCode::InvalidOption, "udim needs a numeric texel density"};
     if (options_.packingCuts == PackingCuts::Never && options_.minUtilization > 0)
       return {StatusCode::InvalidOption,
-              "packingCuts never leaves charts whole, so minUtilization has no effect; leave one "
-              "of them out"};
+              "with packingCuts = never all charts stay whole, so minUtilization has no effect; "
+              "leave one of them out"};
     if (input_.faceCount() == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
     return checkDensities(options_.faceDensities, input_.faceCount());
   }
