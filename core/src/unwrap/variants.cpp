@@ -11,6 +11,9 @@
 namespace abflat {
 namespace {
 
+/// What costs hardly less is as good, so that it is not rounding that decides.
+constexpr double kClearly = 1 - 1e-6;
+
 /// A cut surface and what is known of its components, which given seams separate.
 class CutValue {
  public:
@@ -99,7 +102,7 @@ bool isBetterAsAWhole(const CutValue& now, const CutValue& then, const FlatCut& 
   constexpr double kSymmetric = 1.1;
   const bool was = static_cast<bool>(best.open.mirror), is = static_cast<bool>(other.open.mirror);
   if (now.unrolls() || (was && !is)) return false;
-  return then.total() < now.total() * (is && !was ? kSymmetric : 1);
+  return then.total() < now.total() * (is && !was ? kSymmetric : kClearly);
 }
 
 void takeSeams(const CutSurface& whole, const IdVector<CutChartId, std::uint8_t>& isTaken,
@@ -147,7 +150,7 @@ bool takeBetter(const WeldedMesh& welded, const UnwrapOptionValues& options, Fla
   }
   IdVector<CutChartId, std::uint8_t> isBetter;
   for (const CutChartId c : now.whole().charts.ids())
-    isBetter.push_back(then.cost(c) < now.cost(c) && !now.unrolls(c));
+    isBetter.push_back(then.cost(c) < kClearly * now.cost(c) && !now.unrolls(c));
   if (std::find(isBetter.begin(), isBetter.end(), 1) == isBetter.end()) return false;
   takeSeams(now.whole(), isBetter, best.open, other.open);
   LaidCharts before = std::move(best.charts);
