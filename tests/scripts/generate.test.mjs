@@ -269,8 +269,9 @@ describe('in a copy', () => {
   test('a new solver, stage and array reach both sides', () => {
     fresh();
     changeSchema(({ enums, resultArrays }) => {
-      enums[0].values.push({ name: 'byHand', text: 'a patient person' });
-      enums[1].values.push({ name: 'polish', of: ['unwrap'], text: 'polishing' });
+      const valuesOf = (name) => enums.find((each) => each.name === name).values;
+      valuesOf('Solver').push({ name: 'byHand', text: 'a patient person' });
+      valuesOf('Stage').push({ name: 'polish', of: ['unwrap'], text: 'polishing' });
       resultArrays.push({ name: 'normals', type: 'number', text: '3 per vertex' });
     }, REPORT_SCHEMA);
     assert.equal(generate(copy).status, 0);
