@@ -134,7 +134,9 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
     a.fallbacks.push_back(withFloor("the active set stalled", a.solution.barrierFloor));
   layOutAndCheck(a);
   for (const double floor : kFloors) {
-    if (isDelaunay || !isMisdrawn(a) || floor <= a.solution.barrierFloor) continue;
+    // A higher floor changes nothing about the constraints.
+    const bool isHopeless = a.solution.barrierFloor > 0 && !a.solution.converged;
+    if (isDelaunay || isHopeless || !isMisdrawn(a) || floor <= a.solution.barrierFloor) continue;
     Attempt b = a;
     watch.lap();
     b.solution = solver_->solveWithFloor(floor);

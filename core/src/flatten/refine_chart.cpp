@@ -207,8 +207,8 @@ Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, con
   // Where needles need more digits than a rough solution has, refining cannot bring them back.
   constexpr double kSuspicious = 2;
   const bool isGood = first.valid() && first.distortion.symmetricDirichlet < kSuspicious;
-  if (wishes.mayBeRough && !isGood && !first.isCancelled())
-    first = flattener.attempt(goal.t, first.converged() ? &first : nullptr);
+  // What does not converge when rough does not converge at all.
+  if (wishes.mayBeRough && !isGood && first.converged()) first = flattener.attempt(goal.t, &first);
   Attempt out = madeValid(flattener, std::move(first), goal.t, goal.untangle, effort);
   refineChart(flattener, wishes, out);
   return out;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/constants.h"
 
@@ -15,6 +16,9 @@ constexpr double kSlackFloor = 1e-9;
 constexpr double kGoodStep = 0.3;
 /// Below this constraint residual, and after a full step, the exact Hessian is used.
 constexpr double kExactResidual = 1e-6;
+/// Angles that meet all constraints exist if their residual halves within a few steps, three as a
+/// rule, until it is small. If none exist, it never becomes small.
+constexpr int kMostStepsToHalve = 20;
 
 /// The largest step, up to `limit`, that takes at most the given fraction of a positive value.
 double shorten(double value, double change, double fraction, double limit) {
@@ -46,6 +50,7 @@ class InteriorPoint {
         s_.converged = true;
         break;
       }
+      if (isHopeless(now)) break;
       lowerBarrier(primal);
     }
     return std::move(s_);
@@ -181,6 +186,15 @@ class InteriorPoint {
             std::abs(before - now.objective) <= o.objectiveTolerance * before);
   }
 
+  /// Whether there seem to be no angles that meet the constraints.
+  bool isHopeless(const NewtonStep& now) {
+    if (now.constraint <= std::max(kExactResidual, halved_ / 2)) {
+      halved_ = now.constraint;
+      stepsToHalve_ = 0;
+    }
+    return ++stepsToHalve_ > kMostStepsToHalve && halved_ > kExactResidual;
+  }
+
   /// Lowers the barrier with the mean complementarity, faster the longer the steps are.
   void lowerBarrier(double primal) {
     if (primal < kGoodStep) return;
@@ -199,6 +213,8 @@ class InteriorPoint {
   AngleSolution s_;
   Barrier barrier_;
   double tauSlack_ = 1;
+  double halved_ = std::numeric_limits<double>::infinity();  ///< residual, when it last halved
+  int stepsToHalve_ = 0;                                     ///< steps since then
   std::vector<std::uint8_t> bounded_;                   ///< vertices with a finite bound
   std::vector<double> slack_, slackStep_, compliance_;  ///< per vertex
   Linearization lin_;

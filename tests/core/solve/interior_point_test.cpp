@@ -54,6 +54,15 @@ TEST_CASE("a higher floor keeps the smallest angle larger") {
   }
 }
 
+TEST_CASE("where no angles meet all bounds, the interior point soon ends") {
+  // All angles of an outline of n vertices sum to (n - 2) pi.
+  for (double t : {0.3, 0.6, 0.9}) {
+    const AngleSolution s = byInteriorPoint(problemOf(bumpyGrid(8, 7, 0.35, 1), t), 1e-2);
+    CHECK_FALSE(s.converged);
+    CHECK(s.history.size() < 100);
+  }
+}
+
 TEST_CASE("charts whose angles want to be 0 are solved by the interior point") {
   for (const char* file : {"camel-cut.obj", "cow-cut.off"}) {
     const PolygonMesh mesh = sharedMesh(file);
