@@ -11,6 +11,7 @@
 #include "seam/log_scale.h"
 #include "seam/make_symmetric.h"
 #include "seam/merge_charts.h"
+#include "seam/pockets.h"
 #include "seam/prediction.h"
 #include "seam/shorten_seams.h"
 #include "seam/slits.h"
@@ -33,22 +34,6 @@ IdVector<CutChartId, OpenVertex> extremes(const CutSurface& s, const Prediction&
   return out;
 }
 
-/// Interior vertices at which only two triangles meet, in order. No flat layout can contain both
-/// triangles.
-std::vector<SurfaceVertex> verticesOfTwo(const SeamMesh& mesh) {
-  IdVector<SurfaceVertex, std::uint8_t> corners(mesh.vertexCount(), 0);
-  for (const SurfaceCorner c : mesh.corners()) {
-    std::uint8_t& count = corners[mesh.vertexOfCorner[c]];
-    // At the boundary any number is fine.
-    if (!mesh.twin[c].exists() || !mesh.twin[prevCorner(c)].exists()) count = 3;
-    if (count < 3) ++count;
-  }
-  std::vector<SurfaceVertex> out;
-  for (const SurfaceVertex v : corners.ids())
-    if (corners[v] == 2) out.push_back(v);
-  return out;
-}
-
 }  // namespace
 
 class SeamSearch::Finder {
@@ -58,6 +43,7 @@ class SeamSearch::Finder {
         mesh_(&mesh),
         given_(std::move(given)),
         result_(given_),
+        doubled_(doubledEdges(mesh)),
         options_(options),
         report_(report) {}
 
@@ -71,7 +57,6 @@ class SeamSearch::Finder {
   void begin();
   void cutInRounds();
   void open();
-  void openBetweenTwo();
   bool improve();
   CutSurface cut();
   void slit(const CutPaths& paths, const LogScales& u);
@@ -105,6 +90,7 @@ class SeamSearch::Finder {
   Seams given_, result_;  ///< of the whole; seams_ are added when their part is done
   IdVector<CutChartId, CutSurface::Chart> givenCharts_;
   IdVector<SurfaceTriangle, CutChartId> givenChartOf_;  ///< of the whole
+  const std::vector<SurfaceCorner> doubled_;
   const SeamOptions& options_;
   SeamReport& report_;
   std::unique_ptr<LogScale> scale_;
@@ -141,18 +127,7 @@ void SeamSearch::Finder::open() {
   const TopologyCut cut = cutToDisks(whole_, s, roots, result_, pulse_);
   report_.handleLoops = cut.handleLoops;
   report_.handleLength = cut.length;
-  openBetweenTwo();
-}
-
-/// Cuts to vertices where two triangles meet, so that these need not lie on top of each other.
-void SeamSearch::Finder::openBetweenTwo() {
-  const std::vector<SurfaceVertex> ends = verticesOfTwo(whole_);
-  if (ends.empty()) return;
-  const CutSurface s = cutAlong(whole_, result_, pulse_);
-  const PathForest forest = findPaths(whole_, s, {}, {}, pulse_);
-  for (const OpenVertex v : s.vertices())
-    if (!s.isBoundary[v] && std::binary_search(ends.begin(), ends.end(), s.meshVertex[v]))
-      markPath(whole_, forest, v, result_);
+  openPockets(whole_, doubled_, result_, pulse_);
 }
 
 CutSurface SeamSearch::Finder::cut() {
@@ -300,6 +275,7 @@ Seams SeamSearch::Finder::finish() {
   report_.foundScale = u_;
   if (options_.isAuto && goesOn()) shortenSeams(work(), isSolved);
   if (options_.isAuto) makeSymmetric(work());
+  openPockets(whole_, doubled_, result_, pulse_);
   for (const SurfaceCorner h : result_.ids())
     if (result_[h]) report_.found[h] = 1;
   report_.mergeSeconds += watch.lap();

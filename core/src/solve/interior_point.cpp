@@ -215,8 +215,8 @@ class InteriorPoint {
   double tauSlack_ = 1;
   double halved_ = std::numeric_limits<double>::infinity();  ///< residual, when it last halved
   int stepsToHalve_ = 0;                                     ///< steps since then
-  std::vector<std::uint8_t> bounded_;                   ///< vertices with a finite bound
-  std::vector<double> slack_, slackStep_, compliance_;  ///< per vertex
+  std::vector<std::uint8_t> bounded_;                        ///< vertices with a finite bound
+  std::vector<double> slack_, slackStep_, compliance_;       ///< per vertex
   Linearization lin_;
   std::vector<double> dx_, dualStep_;
   Multipliers next_;
