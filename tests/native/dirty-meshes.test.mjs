@@ -84,8 +84,17 @@ function figureCharts(text, faces) {
   return { charts, outline: outline / Math.sqrt(area) };
 }
 
+/** What has been measured, by kind and resolution. */
+const known = new Map();
+
 /** Charts, seams and how full the tile is, for one kind of dirt on the same figure. */
 async function measured(t, kind, resolution = 512) {
+  const key = `${kind} ${resolution}`;
+  if (!known.has(key)) known.set(key, await measure(t, kind, resolution));
+  return known.get(key);
+}
+
+async function measure(t, kind, resolution) {
   const clean = dirtyMesh(20_000, 'clean').faces.length;
   const args = ['--resolution', `${resolution}`];
   const { report, text } = await unwrapJudged(t, dirtyMesh(20_000, kind), ...args);

@@ -110,7 +110,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
   }
   const double scale = std::sqrt(total3d / totalUv);
   Distortion out;
-  double angular = 0, quasi = 0, stretch = 0, dirichlet = 0, area = 0, areaLog = 0;
+  double angular = 0, quasi = 0, stretch = 0, dirichlet = 0, area = 0, areaLog = 0, sheared = 0;
   std::size_t measured = 0;
   out.areaMin = std::numeric_limits<double>::infinity();
   out.areaMax = 0;
@@ -122,6 +122,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
     const double inverse = 1 / (s1 * s1) + 1 / (s2 * s2);
     area += t.area3d;
     quasi += t.area3d * s1 / s2;
+    if (s1 > kSheared * s2) sheared += t.area3d;
     stretch += t.area3d * inverse / 2;
     dirichlet += t.area3d * (s1 * s1 + s2 * s2 + inverse) / 4;
     out.quasiConformalMax = std::max(out.quasiConformalMax, s1 / s2);
@@ -135,6 +136,7 @@ Distortion measureDistortion(const DiskChart& chart, const std::vector<double>& 
   out.angular = angular / (3 * static_cast<double>(measured));
   out.length = lengthDistortion(chart, uv);
   out.quasiConformalMean = quasi / area;
+  out.sheared = sheared / area;
   out.stretchL2 = std::sqrt(stretch / area);
   out.symmetricDirichlet = dirichlet / area;
   out.areaLog = areaLog / area;

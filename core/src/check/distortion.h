@@ -6,6 +6,9 @@
 
 namespace abflat {
 
+/// Where s1/s2 exceeds this, it can be seen.
+constexpr double kSheared = 1.25;
+
 /// How far a layout is from an isometry, measured on coordinates alone. Triangles of zero area in
 /// 3D are left out, and so are slivers, whose height is less than a millionth of the chart's
 /// extent, unless there is nothing else. s1 >= s2 are a triangle's singular values of the map from
@@ -15,6 +18,7 @@ struct Distortion {
   double length = 0;              ///< mean over edges of (s L/l - 1)^2 with s = sum l / sum L
   double quasiConformalMean = 1;  ///< s1/s2
   double quasiConformalMax = 1;
+  double sheared = 0;               ///< share of the area where s1/s2 exceeds kSheared
   double stretchL2 = 1;             ///< root of the mean of (1/s1^2 + 1/s2^2)/2, Sander et al. 2001
   double stretchLinf = 1;           ///< largest 1/s2
   double symmetricDirichlet = 1;    ///< (s1^2 + s2^2 + 1/s1^2 + 1/s2^2)/4

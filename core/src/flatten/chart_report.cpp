@@ -84,6 +84,7 @@ void setMeasures(ChartReport& r, const Validity& v, const Distortion& d) {
   r.lengthDistortion = d.length;
   r.quasiConformalMean = d.quasiConformalMean;
   r.quasiConformalMax = d.quasiConformalMax;
+  r.quasiConformalSheared = d.sheared;
   r.stretchL2 = d.stretchL2;
   r.stretchLinf = d.stretchLinf;
   r.symmetricDirichlet = d.symmetricDirichlet;

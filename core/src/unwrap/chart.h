@@ -15,13 +15,15 @@ namespace abflat {
 
 /// The part of Distortion that reports need.
 struct ChartDistortion {
-  double angular = 0, quasiConformalMean = 1, quasiConformalMax = 1, symmetricDirichlet = 1;
+  double angular = 0, quasiConformalMean = 1, quasiConformalMax = 1, sheared = 0,
+         symmetricDirichlet = 1;
 
   ChartDistortion() = default;
   explicit ChartDistortion(const Distortion& d)
       : angular(d.angular),
         quasiConformalMean(d.quasiConformalMean),
         quasiConformalMax(d.quasiConformalMax),
+        sheared(d.sheared),
         symmetricDirichlet(d.symmetricDirichlet) {}
 };
 

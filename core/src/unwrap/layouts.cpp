@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "base/stable_order.h"
 #include "unwrap/reordered.h"
+#include "unwrap/stretch.h"
 
 namespace abflat {
 namespace {
@@ -87,14 +88,12 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
   });
 }
 
-bool isStretched(const FlatChart& chart, double most) {
-  return !chart.isFixed && chart.distortion.symmetricDirichlet > most;
-}
-
-IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat, double most) {
+IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat,
+                                                const UnwrapOptionValues& options) {
   IdVector<ChartId, std::uint8_t> out;
   out.reserve(flat.size());
-  for (const FlatChart& chart : flat) out.push_back(!chart.isCutEnough && isStretched(chart, most));
+  for (const FlatChart& chart : flat)
+    out.push_back(!chart.isCutEnough && isStretched(chart, options));
   return out;
 }
 
@@ -103,8 +102,8 @@ IdVector<ChartId, std::uint8_t> ruinedCharts(const FlatCharts& flat, double most
   IdVector<ChartId, std::uint8_t> out;
   out.reserve(flat.size());
   for (const FlatChart& chart : flat) {
-    const bool isRuined =
-        !chart.problem.empty() || chart.isDrawnOut || isStretched(chart, 1 + kRuined * (most - 1));
+    const bool isRuined = !chart.problem.empty() || chart.isDrawnOut ||
+                          chart.distortion.symmetricDirichlet > 1 + kRuined * (most - 1);
     out.push_back(!chart.isFixed && !chart.isWhole && isRuined);
   }
   return out;
@@ -126,21 +125,25 @@ bool dropGivenUp(FlatCharts& flat) {
 void noteStretched(const CutMesh& mesh, const FlatCharts& flat, const UnwrapOptions& options,
                    std::vector<std::string>& notes) {
   if (!options.seams.isAuto) return;
-  std::size_t count = 0;
-  ChartId worst(0);
-  const auto stretchOf = [&](ChartId i) { return flat[i].distortion.symmetricDirichlet; };
-  for (const ChartId i : flat.ids()) {
-    if (!isStretched(flat[i], options.maxStretch)) continue;
-    if (count++ == 0 || stretchOf(i) > stretchOf(worst)) worst = i;
-  }
-  if (count == 0) return;
-  const std::uint32_t face{mesh.map.face(mesh.set.topology(worst).triangles.front())};
-  notes.push_back(counted(count, "chart is", "charts are") + " stretched by more than " +
-                  withDigits(options.maxStretch, 6) + ", up to " + withDigits(stretchOf(worst), 5) +
-                  " for the chart of face " + std::to_string(face) + ": " +
-                  (isFree(options)         ? "no seam that was tried helps enough"
-                   : options.straightSeams ? "straight seams force that"
-                                           : "a larger t, or auto, stretches less"));
+  const auto note = [&](double ChartDistortion::*measure, double most, const char* isBeyond) {
+    const auto of = [&](ChartId i) { return flat[i].distortion.*measure; };
+    std::size_t count = 0;
+    ChartId worst(0);
+    for (const ChartId i : flat.ids()) {
+      if (flat[i].isFixed || of(i) <= most) continue;
+      if (count++ == 0 || of(i) > of(worst)) worst = i;
+    }
+    if (count == 0) return;
+    const std::uint32_t face{mesh.map.face(mesh.set.topology(worst).triangles.front())};
+    notes.push_back(counted(count, "chart is ", "charts are ") + isBeyond + withDigits(most, 6) +
+                    ", up to " + withDigits(of(worst), 5) + " for the chart of face " +
+                    std::to_string(face) + ": " +
+                    (isFree(options)         ? "no seam that was tried helps enough"
+                     : options.straightSeams ? "straight seams force that"
+                                             : "a larger t, or auto, stretches less"));
+  };
+  note(&ChartDistortion::symmetricDirichlet, options.maxStretch, "stretched by more than ");
+  note(&ChartDistortion::sheared, mostSheared(options), "sheared over a share of more than ");
 }
 
 }  // namespace abflat

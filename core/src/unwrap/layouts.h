@@ -22,10 +22,10 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
                 LaidCharts& charts);
 
 /// Whether the chart is stretched more than seams should allow.
-bool isStretched(const FlatChart& chart, double most);
 
 /// Per chart, whether it is stretched by more than `most` and may be cut further.
-IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat, double most);
+IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat,
+                                                const UnwrapOptionValues& options);
 
 /// Per chart, whether it should be split in two, since nothing else makes it valid or brings it
 /// within ten times the excess that is allowed.

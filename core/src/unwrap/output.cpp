@@ -128,6 +128,7 @@ UnwrapChart chartRow(const CutMesh& mesh, ChartId i, const FlatChart& flat) {
   row.angularDistortion = flat.distortion.angular;
   row.quasiConformalMean = flat.distortion.quasiConformalMean;
   row.quasiConformalMax = flat.distortion.quasiConformalMax;
+  row.quasiConformalSheared = flat.distortion.sheared;
   row.symmetricDirichlet = flat.distortion.symmetricDirichlet;
   if (flat.uncommon) {
     row.refined = flat.uncommon->refined;
@@ -220,13 +221,15 @@ void fillReport(const CutMesh& mesh, const FlatCharts& flat, double unit, Unwrap
     area += row.area;
     report.angularDistortion += row.area * row.angularDistortion;
     report.quasiConformalMean += row.area * row.quasiConformalMean;
+    report.sheared += row.area * row.quasiConformalSheared;
     report.symmetricDirichlet += row.area * row.symmetricDirichlet;
     report.seams.filledHoles += row.filledHoles;
     report.valid = report.valid && row.valid;
     row.area = row.area * unit * unit;
   }
   for (double* mean :
-       {&report.angularDistortion, &report.quasiConformalMean, &report.symmetricDirichlet})
+       {&report.angularDistortion, &report.quasiConformalMean, &report.sheared,
+        &report.symmetricDirichlet})
     *mean = area > 0 ? *mean / area : 0;
 }
 

@@ -10,6 +10,7 @@
 #include "check/distortion.h"
 #include "check/validity.h"
 #include "mesh/triangle_geometry.h"
+#include "unwrap/stretch.h"
 
 namespace abflat {
 namespace {
@@ -56,7 +57,8 @@ void moveSame(LaidCharts& from, LaidCharts& to) {
   }
 }
 
-void takePieces(const LaidCharts& before, double mostStretch, ThreadPool& pool, LaidCharts& now) {
+void takePieces(const LaidCharts& before, const UnwrapOptionValues& options, ThreadPool& pool,
+                LaidCharts& now) {
   IdVector<SurfaceCorner, Point2> at(3 * before.set.ofTriangle.size());
   for (const ChartId i : before.set.ids()) {
     if (before.flat[i].unpacked.empty()) continue;
@@ -74,7 +76,7 @@ void takePieces(const LaidCharts& before, double mostStretch, ThreadPool& pool, 
     for (const ChartCorner c : chart.surfaceCorners())
       setPoint(uv, chart.vertexOfCorner[c], at[chart.onSurface(c)]);
     piece = pieceAsItLies(now.set.chart(i), std::move(uv), whole.solver);
-    if (piece.unpacked.empty() || piece.distortion.symmetricDirichlet > mostStretch) {
+    if (piece.unpacked.empty() || isStretched(piece, options)) {
       piece = {};
       return;
     }
@@ -84,12 +86,13 @@ void takePieces(const LaidCharts& before, double mostStretch, ThreadPool& pool, 
 }
 
 IdVector<ChartId, std::uint8_t> stretchedByCuts(const LaidCharts& before, const LaidCharts& now,
-                                                double mostStretch) {
+                                                const UnwrapOptionValues& options) {
   IdVector<ChartId, std::uint8_t> out(before.set.size(), 0);
   for (const ChartId i : now.set.ids()) {
     const ChartId whole = before.set.ofTriangle[now.set.topology(i).triangles.front()];
-    const double bound = std::max(mostStretch, before.flat[whole].distortion.symmetricDirichlet);
-    if (now.flat[i].distortion.symmetricDirichlet > bound) out[whole] = 1;
+    const double bound =
+        std::max(options.maxStretch, stretchOf(before.flat[whole].distortion, options));
+    if (stretchOf(now.flat[i].distortion, options) > bound) out[whole] = 1;
   }
   return out;
 }

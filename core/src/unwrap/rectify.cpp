@@ -6,6 +6,7 @@
 #include "unwrap/expected_density.h"
 #include "unwrap/near_parts.h"
 #include "unwrap/reordered.h"
+#include "unwrap/stretch.h"
 
 namespace abflat {
 namespace {
@@ -46,7 +47,7 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
   const ChartDistortion distortion(measureDistortion(chart, inChartUnit(chart, places)));
   const double more = distortion.symmetricDirichlet - flat.distortion.symmetricDirichlet;
   const bool isWorth =
-      distortion.symmetricDirichlet <= options.maxStretch && more <= kWorth * found.gain;
+      stretchOf(distortion, options) <= options.maxStretch && more <= kWorth * found.gain;
   if (options.rectify == Rectify::Auto && !isWorth) return;
   if (nearEdges(chart, places, density, options.padding) >
       nearEdges(chart, flat.unpacked, density, options.padding))

@@ -36,6 +36,7 @@
 #include "unwrap/seams.h"
 #include "unwrap/spacing.h"
 #include "unwrap/stacks.h"
+#include "unwrap/stretch.h"
 #include "unwrap/turned.h"
 #include "unwrap/unseen.h"
 #include "unwrap/variants.h"
@@ -279,7 +280,7 @@ class Unwrapping {
       if (!isHalved(ruinedCharts(charts_.flat, options_.maxStretch))) break;
       if (Status s = readWishes(); !s.ok()) return s;
       if (Status s = layOut(tell); !s.ok()) return s;
-      expectScale(charts_.set, stretchedPieces(charts_.flat, options_.maxStretch), *pool_, open_);
+      expectScale(charts_.set, stretchedPieces(charts_.flat, options_), *pool_, open_);
       if (Status s = cutWhileStretched(kMostRounds, seconds, tell); !s.ok()) return s;
       if (Status s = endSearch(tell); !s.ok()) return s;
     }
@@ -322,8 +323,8 @@ class Unwrapping {
     IdVector<ChartId, Stretched> charts;
     for (const FlatChart& chart : charts_.flat) {
       const bool isAsked =
-          (chart.isGivenUp() || isStretched(chart, options_.maxStretch)) && !chart.isCutEnough;
-      charts.push_back({isAsked ? chart.distortion.symmetricDirichlet : 0, chart.isGivenUp()});
+          (chart.isGivenUp() || isStretched(chart, options_)) && !chart.isCutEnough;
+      charts.push_back({isAsked ? stretchOf(chart.distortion, options_) : 0, chart.isGivenUp()});
     }
     const Further done = cutStretched(charts_.set, charts, options_, *pool_, goesOn, open_);
     // Charts whose layout is kept have been tried.
@@ -394,7 +395,7 @@ class Unwrapping {
       Seams seams = open_.seams;
       if (!cutBetween(charts_, nearParts(), options_, open_)) break;
       PackedState before{openAnew(), std::move(seams), std::move(packing_), report_.atlas};
-      takePieces(before.charts, options_.maxStretch, *pool_, charts_);
+      takePieces(before.charts, options_, *pool_, charts_);
       const auto goesOn = [&] { return monitor_.tellAgain(); };
       if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
       Status packed = packNow(1, 1);
@@ -445,7 +446,7 @@ class Unwrapping {
     addCuts(cuts, options_, open_);
     PackedState before{openAnew(), std::move(seams), std::move(packing_), report_.atlas};
     // Where they lie, their new ends need not be straight.
-    if (!options_.straightSeams) takePieces(before.charts, options_.maxStretch, *pool_, charts_);
+    if (!options_.straightSeams) takePieces(before.charts, options_, *pool_, charts_);
     if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
     if (Status s = joinStretched(before.charts, before.seams); !s.ok()) return s;
     report_.atlas.packingCuts = static_cast<int>(charts_.set.size() - before.charts.set.size());
@@ -490,7 +491,7 @@ class Unwrapping {
     const auto tell = [&](double) { return goesOn(); };
     if (Status s = readWishes(); !s.ok()) return s;
     if (Status s = layOut(tell); !s.ok()) return s;
-    expectScale(charts_.set, stretchedPieces(charts_.flat, options_.maxStretch), *pool_, open_);
+    expectScale(charts_.set, stretchedPieces(charts_.flat, options_), *pool_, open_);
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.pack, tell); !s.ok()) return s;
     return endSearch(tell);
   }
@@ -498,7 +499,7 @@ class Unwrapping {
   /// Joins charts again that were cut for packing into pieces with too much stretch.
   Status joinStretched(LaidCharts& before, const Seams& seams) {
     const IdVector<ChartId, std::uint8_t> isJoined =
-        stretchedByCuts(before, charts_, options_.maxStretch);
+        stretchedByCuts(before, charts_, options_);
     if (std::find(isJoined.begin(), isJoined.end(), 1) == isJoined.end()) return {};
     takeBack(before.set, isJoined, seams, open_);
     openAnew();

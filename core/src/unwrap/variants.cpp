@@ -7,6 +7,7 @@
 #include "seam/occlusion.h"
 #include "seam/vary_costs.h"
 #include "unwrap/pieces.h"
+#include "unwrap/stretch.h"
 
 namespace abflat {
 namespace {
@@ -70,7 +71,8 @@ class CutValue {
     for (const ChartId i : charts.set.ids()) {
       const FlatChart& flat = charts.flat[i];
       const double stretch = flat.distortion.symmetricDirichlet;
-      const bool isBad = !flat.problem.empty() || stretch > options.maxStretch;
+      const bool isBad =
+          !flat.problem.empty() || stretchOf(flat.distortion, options) > options.maxStretch;
       double area = 0;
       for (const SurfaceTriangle f : charts.set.topology(i).triangles) area += mesh_.area[f];
       const CutChartId c = whole_.chartOfTriangle[charts.set.topology(i).triangles.front()];

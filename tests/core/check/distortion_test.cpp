@@ -49,6 +49,23 @@ TEST_CASE("an affine map has the distortion of its singular values") {
   CHECK(d.length > 0.01);
 }
 
+TEST_CASE("the sheared share is that of the area whose singular values are more than 1.25 apart") {
+  const DiskChart chart = chartOf(bumpyGrid(6, 5, 0, 1));
+  CHECK(measureDistortion(chart, mapped(chart, 1.24, 0, 0, 1)).sheared == 0);
+  CHECK(measureDistortion(chart, mapped(chart, 1.26, 0, 0, 1)).sheared == Approx(1));
+  CHECK(measureDistortion(chart, mapped(chart, 0, 3, -4, 0)).sheared == Approx(1));
+  // Two squares of areas 3 and 1, the smaller one pulled out.
+  const DiskChart two =
+      chartOf(makeTriangleMesh({0, 0, 0, 3, 0, 0, 4, 0, 0, 4, 1, 0, 3, 1, 0, 0, 1, 0},
+                               {0, 1, 4, 0, 4, 5, 1, 2, 3, 1, 3, 4}));
+  std::vector<double> uv;
+  for (std::size_t v = 0; v < 6; ++v) {
+    const double x = two.positions[3 * v] * two.unit;
+    uv.insert(uv.end(), {x > 3.5 ? x + 1 : x, two.positions[3 * v + 1] * two.unit});
+  }
+  CHECK(measureDistortion(two, uv).sheared == Approx(0.25));
+}
+
 TEST_CASE("area distortion is the mean size of the logarithm of the area ratios") {
   // A square of two equal triangles whose areas become 3 to 1: 3/2 and 1/2 at equal total area.
   const DiskChart chart =

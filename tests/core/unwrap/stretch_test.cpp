@@ -56,6 +56,37 @@ TEST_CASE("no chart is stretched more than is allowed, once it is flat", "[unwra
     }
 }
 
+TEST_CASE("no more of a chart is sheared than is allowed", "[unwrap][quality]") {
+  const auto mostSheared = [](const UnwrapResult& r) {
+    double most = 0;
+    for (const UnwrapChart& chart : r.report.charts)
+      most = std::max(most, chart.quasiConformalSheared);
+    return most;
+  };
+  for (const PolygonMesh& mesh : meshes()) {
+    UnwrapOptions options;
+    CHECK(mostSheared(unwrapped(mesh, options)) <= 0.1);
+    options.maxSheared = 0.03;
+    const UnwrapResult result = unwrapped(mesh, options);
+    CHECK(mostSheared(result) <= 0.03);
+    CHECK(result.report.sheared <= 0.03);
+    CHECK_FALSE(hasNote(result, "sheared"));
+  }
+}
+
+TEST_CASE("shear is not limited where that is not asked for", "[unwrap]") {
+  const PolygonMesh mesh = bumpyGrid(24, 20, 0.9, 3);
+  UnwrapOptions options;
+  options.maxStretch = 1.5;
+  const UnwrapResult as = unwrapped(mesh, options);
+  CHECK(as.report.charts.size() == 1);
+  CHECK(as.report.sheared > 0.1);
+  CHECK_FALSE(hasNote(as, "sheared"));
+  options.t = 1;
+  options.maxSheared = 0.01;
+  CHECK(hasNote(unwrapped(mesh, options), "sheared over a share of more than 0.01"));
+}
+
 TEST_CASE("cutting further does not depend on threads, and known charts give the same",
           "[unwrap]") {
   const PolygonMesh mesh = roughTorus();

@@ -113,7 +113,7 @@ export interface ChartReport {
   /** Mean over edges of (sL/l - 1)², with L the length in uv, l that in 3D and s = Σl/ΣL. */
   lengthDistortion: number;
   /** Ratio σ₁/σ₂ of the singular values of the map (1 = conformal). */
-  quasiConformal: { mean: number; max: number };
+  quasiConformal: { mean: number; max: number; sheared: number };
   /** Stretch of Sander et al. 2001 at equal total area (1 = isometric). */
   stretch: { l2: number; linf: number };
   /** Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric). */
@@ -317,7 +317,7 @@ export interface UnwrapChart {
   /** Mean over corners of ((x - α)/α)², with x the angle in uv and α that in 3D. */
   angularDistortion: number;
   /** Ratio σ₁/σ₂ of the singular values of the map (1 = conformal). */
-  quasiConformal: { mean: number; max: number };
+  quasiConformal: { mean: number; max: number; sheared: number };
   /** Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric). */
   symmetricDirichlet: number;
   /** The outcome of refining for lengths; of the whole chart if packing has cut it; null if refining gained nothing. */
@@ -402,6 +402,8 @@ export interface UnwrapReport {
   angularDistortion: number;
   /** Quasi-conformal distortion σ₁/σ₂, the mean over all charts by 3D area. */
   quasiConformalMean: number;
+  /** Share of the 3D area where σ₁/σ₂ exceeds 1.25. */
+  sheared: number;
   /** Symmetric Dirichlet energy / 4, the mean over all charts by 3D area, each chart at its own scale. */
   symmetricDirichlet: number;
   /** How the charts were packed. */
@@ -431,7 +433,7 @@ export interface MethodResult {
   /** Ratio of uv area to 3D area at equal total area; negative where a triangle is flipped; null without a layout or where infinite. */
   areaRatio: { min: number | null; max: number | null };
   /** Ratio σ₁/σ₂ of the singular values of the map (1 = conformal); null without a layout or where infinite. */
-  quasiConformal: { mean: number | null; max: number | null };
+  quasiConformal: { mean: number | null; max: number | null; sheared: number | null };
   /** Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric); null without a layout or where infinite. */
   symmetricDirichlet: number | null;
   /** Triangles that are not positively oriented, by an exact predicate; 0 in a valid layout. */

@@ -131,6 +131,9 @@ struct ChartReport {
   double quasiConformalMean = 0;
   /// Ratio σ₁/σ₂ of the singular values of the map (1 = conformal): maximum.
   double quasiConformalMax = 0;
+  /// Ratio σ₁/σ₂ of the singular values of the map (1 = conformal): share of the 3D area where it
+  /// exceeds 1.25.
+  double quasiConformalSheared = 0;
   /// Stretch of Sander et al. 2001 at equal total area (1 = isometric): L² stretch.
   double stretchL2 = 0;
   /// Stretch of Sander et al. 2001 at equal total area (1 = isometric): L∞ stretch.
@@ -183,6 +186,7 @@ void visitFields(const ChartReport& r, Visitor& v) {
   v.begin("quasiConformal");
   v.field("mean", r.quasiConformalMean);
   v.field("max", r.quasiConformalMax);
+  v.field("sheared", r.quasiConformalSheared);
   v.end();
   v.begin("stretch");
   v.field("l2", r.stretchL2);

@@ -36,6 +36,9 @@ struct MethodResult {
   double quasiConformalMean = std::numeric_limits<double>::quiet_NaN();
   /// Ratio σ₁/σ₂ of the singular values of the map (1 = conformal): maximum.
   double quasiConformalMax = std::numeric_limits<double>::quiet_NaN();
+  /// Ratio σ₁/σ₂ of the singular values of the map (1 = conformal): share of the 3D area where it
+  /// exceeds 1.25.
+  double quasiConformalSheared = std::numeric_limits<double>::quiet_NaN();
   /// Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric).
   double symmetricDirichlet = std::numeric_limits<double>::quiet_NaN();
   /// Triangles that are not positively oriented, by an exact predicate; 0 in a valid layout.
@@ -65,6 +68,7 @@ void visitFields(const MethodResult& r, Visitor& v) {
   v.begin("quasiConformal");
   v.field("mean", r.quasiConformalMean);
   v.field("max", r.quasiConformalMax);
+  v.field("sheared", r.quasiConformalSheared);
   v.end();
   v.field("symmetricDirichlet", r.symmetricDirichlet);
   v.field("flippedTriangles", r.flippedTriangles);

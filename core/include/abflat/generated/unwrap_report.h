@@ -112,6 +112,9 @@ struct UnwrapChart {
   double quasiConformalMean = 0;
   /// Ratio σ₁/σ₂ of the singular values of the map (1 = conformal): maximum.
   double quasiConformalMax = 0;
+  /// Ratio σ₁/σ₂ of the singular values of the map (1 = conformal): share of the 3D area where it
+  /// exceeds 1.25.
+  double quasiConformalSheared = 0;
   /// Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric).
   double symmetricDirichlet = 0;
   /// The outcome of refining for lengths; of the whole chart if packing has cut it.
@@ -145,6 +148,7 @@ void visitFields(const UnwrapChart& r, Visitor& v) {
   v.begin("quasiConformal");
   v.field("mean", r.quasiConformalMean);
   v.field("max", r.quasiConformalMax);
+  v.field("sheared", r.quasiConformalSheared);
   v.end();
   v.field("symmetricDirichlet", r.symmetricDirichlet);
   v.field("refined", r.refined);
@@ -261,6 +265,8 @@ struct UnwrapReport {
   double angularDistortion = 0;
   /// Quasi-conformal distortion σ₁/σ₂, the mean over all charts by 3D area.
   double quasiConformalMean = 0;
+  /// Share of the 3D area where σ₁/σ₂ exceeds 1.25.
+  double sheared = 0;
   /// Symmetric Dirichlet energy / 4, the mean over all charts by 3D area, each chart at its own
   /// scale.
   double symmetricDirichlet = 0;
@@ -288,6 +294,7 @@ void visitFields(const UnwrapReport& r, Visitor& v) {
   v.field("notes", r.notes);
   v.field("angularDistortion", r.angularDistortion);
   v.field("quasiConformalMean", r.quasiConformalMean);
+  v.field("sheared", r.sheared);
   v.field("symmetricDirichlet", r.symmetricDirichlet);
   v.field("atlas", r.atlas);
   v.field("valid", r.valid);

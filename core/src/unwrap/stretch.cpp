@@ -1,0 +1,23 @@
+#include "unwrap/stretch.h"
+
+#include <algorithm>
+
+namespace abflat {
+
+double mostSheared(const UnwrapOptionValues& options) {
+  constexpr double kLeast = 0.1, kPerStretch = 5;
+  return options.maxSheared == kAutoMaxSheared
+             ? std::max(kLeast, kPerStretch * (options.maxStretch - 1))
+             : options.maxSheared;
+}
+
+double stretchOf(const ChartDistortion& distortion, const UnwrapOptionValues& options) {
+  const double ofShear = 1 + (options.maxStretch - 1) * distortion.sheared / mostSheared(options);
+  return std::max(distortion.symmetricDirichlet, ofShear);
+}
+
+bool isStretched(const FlatChart& chart, const UnwrapOptionValues& options) {
+  return !chart.isFixed && stretchOf(chart.distortion, options) > options.maxStretch;
+}
+
+}  // namespace abflat
