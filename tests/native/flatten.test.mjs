@@ -91,7 +91,7 @@ test('the report has its keys in their order', async (t) => {
       'reweighted',
       'linearIterations',
     ]);
-  assert.deepEqual(Object.keys(chart.quasiConformal), ['mean', 'max']);
+  assert.deepEqual(Object.keys(chart.quasiConformal), ['mean', 'max', 'sheared']);
   assert.deepEqual(Object.keys(chart.stretch), ['l2', 'linf']);
   assert.deepEqual(Object.keys(chart.areaDistortion), ['min', 'max']);
 });

@@ -71,6 +71,7 @@ void measure(const DiskChart& chart, MethodResult& row) {
   row.areaRatioMax = d.areaMax;
   row.quasiConformalMean = d.quasiConformalMean;
   row.quasiConformalMax = d.quasiConformalMax;
+  row.quasiConformalSheared = d.sheared;
   row.symmetricDirichlet = d.symmetricDirichlet;
 }
 
