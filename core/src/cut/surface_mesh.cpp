@@ -100,14 +100,16 @@ double smoothStep(double low, double high, double x) {
 }
 
 /// Cost of a seam where the surface bends that much, relative to its length. Nothing hides a seam
-/// in a flat face; a crease does, a concave one better. Where shading breaks, there is a crease.
-double costWhere(double bend, bool isConcave, bool isHard) {
+/// in a flat face; a crease does, a concave one better. Where shading breaks, there is a crease,
+/// and where the material changes, the textures do not continue anyway.
+double costWhere(double bend, bool isConcave, std::uint8_t breaks) {
   constexpr double kDegree = kPi / 180;
   constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree,
                    kSharp = 75 * kDegree;
   constexpr double kOfFlat = 5, kOfBent = 0.6, kOfConvex = 0.25, kOfConcave = 0.2;
+  if (breaks & kMaterialBorder) bend = std::max(bend, kSharp);
   if (bend < kFlat) return kOfFlat;
-  if (isHard) bend = std::max(bend, kBent);
+  if (breaks & kHardEdge) bend = std::max(bend, kBent);
   if (bend < kBent) return 1 - (1 - kOfBent) * smoothStep(kSmooth, kBent, bend);
   return kOfBent -
          (kOfBent - (isConcave ? kOfConcave : kOfConvex)) * smoothStep(kBent, kSharp, bend);
@@ -131,12 +133,14 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
 /// Costs by how much seams are in sight.
 void hideSeams(SeamMesh& m, const Pulse& pulse) {
   const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
-  const auto isHard = [&](SurfaceCorner h) { return h < m.isHard.size() && m.isHard[h]; };
+  const auto breaks = [&](SurfaceCorner h) {
+    return h < m.breaks.size() ? m.breaks[h] : std::uint8_t(0);
+  };
   for (const SurfaceCorner h : m.corners()) {
     const SurfaceCorner o = m.twin[h];
     if (o.exists() && h < o)
       m.cost[h] = m.cost[o] =
-          inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h), isHard(h)));
+          inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h), breaks(h)));
   }
 }
 
@@ -158,10 +162,10 @@ IdRange<SurfaceCorner> SeamMesh::fillingCorners() const {
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale,
-                      const IdVector<SurfaceCorner, std::uint8_t>& isHard, SeamCosts costs,
+                      const IdVector<SurfaceCorner, std::uint8_t>& breaks, SeamCosts costs,
                       const Pulse& pulse) {
   SeamMesh m;
-  m.isHard = isHard;
+  m.breaks = breaks;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
   m.positions = inUnitCube(positions, fans, scale);

@@ -18,6 +18,9 @@ namespace abflat {
 /// every vertex.
 constexpr double kBarredCost = 1e9;
 
+/// What ends along a half-edge: shading, or a material.
+constexpr std::uint8_t kHardEdge = 1, kMaterialBorder = 2;
+
 /// The input of the seam finder: an oriented manifold surface with any number of components, and
 /// its geometry. Vertices are fans, so each is either interior or passed by the boundary once.
 /// What is measured is rounded, so that no result depends on the mesh's unit, or on how it lies.
@@ -32,9 +35,9 @@ struct SeamMesh {
   /// Cost of a seam along a half-edge: its length, less where it is hidden and more in flat faces.
   /// kBarredCost where holes have to stay filled, infinite within a polygon.
   IdVector<SurfaceCorner, double> cost;
-  /// Whether the file says that shading breaks along a half-edge; empty if it does not say. Edges
-  /// of triangles that fill holes may be missing.
-  IdVector<SurfaceCorner, std::uint8_t> isHard;
+  /// kHardEdge and kMaterialBorder, as far as the file has them; empty if it has neither. Edges of
+  /// triangles that fill holes may be missing.
+  IdVector<SurfaceCorner, std::uint8_t> breaks;
   IdVector<SurfaceCorner, double> weight;  ///< cotangent of the edge, positive; equal to its twin's
   IdVector<SurfaceVertex, double> vertexArea;  ///< a third of the area of the triangles around it
   IdVector<SurfaceVertex, double> angleSum;
@@ -81,7 +84,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
                       const Fans& fans,
                       const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal = {},
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale = {},
-                      const IdVector<SurfaceCorner, std::uint8_t>& isHard = {},
+                      const IdVector<SurfaceCorner, std::uint8_t>& breaks = {},
                       SeamCosts costs = SeamCosts::Sight, const Pulse& pulse = {});
 
 }  // namespace abflat

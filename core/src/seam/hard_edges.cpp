@@ -79,4 +79,15 @@ Seams hardEdges(const SurfaceMap& map) {
   return out;
 }
 
+void addMaterialBorders(const SurfaceMap& map, Seams& breaks) {
+  const auto& materials = map.input().faceMaterials;
+  if (materials.empty()) return;
+  const IdVector<SurfaceCorner, SurfaceCorner>& twin = map.surface().table.twin;
+  breaks.resize(twin.size(), 0);
+  for (const SurfaceCorner h : twin.ids())
+    if (twin[h].exists() &&
+        materials[map.face(triangleOf(h))] != materials[map.face(triangleOf(twin[h]))])
+      breaks[h] |= kMaterialBorder;
+}
+
 }  // namespace abflat

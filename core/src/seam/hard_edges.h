@@ -14,4 +14,7 @@ constexpr double kSameNormalDegrees = 1;
 /// Empty if the mesh has neither.
 Seams hardEdges(const SurfaceMap& map);
 
+/// Adds kMaterialBorder to both half-edges of each edge between faces of different materials.
+void addMaterialBorders(const SurfaceMap& map, Seams& breaks);
+
 }  // namespace abflat

@@ -227,9 +227,8 @@ void fillReport(const CutMesh& mesh, const FlatCharts& flat, double unit, Unwrap
     report.valid = report.valid && row.valid;
     row.area = row.area * unit * unit;
   }
-  for (double* mean :
-       {&report.angularDistortion, &report.quasiConformalMean, &report.sheared,
-        &report.symmetricDirichlet})
+  for (double* mean : {&report.angularDistortion, &report.quasiConformalMean, &report.sheared,
+                       &report.symmetricDirichlet})
     *mean = area > 0 ? *mean / area : 0;
 }
 

@@ -45,7 +45,7 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
     if (given[h]) table.twin[h] = SurfaceCorner();
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
     return makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
-                        asked.scales.ofTriangle, asked.hard, options.seamCosts, pulse);
+                        asked.scales.ofTriangle, asked.breaks, options.seamCosts, pulse);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;

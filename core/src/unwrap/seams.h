@@ -44,7 +44,7 @@ struct UncutSurface {
 /// Where the surface has to be cut, whatever else is found.
 struct AskedCuts {
   Seams seams;
-  Seams hard;  ///< hard edges, cut or not; empty if unknown
+  Seams breaks;  ///< as in SeamMesh, cut or not
   Scales scales;
 };
 

@@ -16,7 +16,7 @@ void Stacks::leaveOutComponents(const UncutParts& parts) {
       alikeComponents({input_, welded_, parts.surface}, parts.given, parts.fixed, options_, unfit_);
   if (found.empty()) return;
   const KeptTriangles kept(areModels(parts.surface, found));
-  parts.hard = kept.ofCorners(parts.hard);
+  parts.breaks = kept.ofCorners(parts.breaks);
   parts.given = kept.ofCorners(parts.given);
   parts.scales.ofTriangle = kept.ofTriangles(parts.scales.ofTriangle);
   keepOnly(kept, parts.surface, parts.fixed);

@@ -11,7 +11,7 @@ namespace abflat {
 struct UncutParts {
   Surface& surface;
   FixedTriangles& fixed;
-  Seams &hard, &given;
+  Seams &breaks, &given;
   Scales& scales;
 };
 

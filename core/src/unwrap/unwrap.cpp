@@ -150,9 +150,10 @@ class Unwrapping {
   }
 
   Status cut() {
-    asked_.hard = hardEdges(map());
-    Result<Seams> given = givenSeams(map(), options_.seams, asked_.hard);
+    asked_.breaks = hardEdges(map());
+    Result<Seams> given = givenSeams(map(), options_.seams, asked_.breaks);
     if (!given.ok()) return given.status;
+    addMaterialBorders(map(), asked_.breaks);
     asked_.seams = std::move(given.value);
     Scales& scales = asked_.scales;
     if (options_.seams.isAuto) scales = addScaleSeams(welded_.mesh, surface_, asked_.seams);
@@ -161,7 +162,7 @@ class Unwrapping {
     if (!fixed.ok()) return fixed.status;
     fixed_ = std::move(fixed.value);
     if (!fixed_.note.empty()) report_.notes.push_back(fixed_.note);
-    stacks_.leaveOutComponents({surface_, fixed_, asked_.hard, asked_.seams, scales});
+    stacks_.leaveOutComponents({surface_, fixed_, asked_.breaks, asked_.seams, scales});
     if (fixed_.isFixed.empty()) hideUnseen();
     Approach search(usualBeats(surface_.table.triangles().size()));
     open_ = cutOpen(
@@ -498,8 +499,7 @@ class Unwrapping {
 
   /// Joins charts again that were cut for packing into pieces with too much stretch.
   Status joinStretched(LaidCharts& before, const Seams& seams) {
-    const IdVector<ChartId, std::uint8_t> isJoined =
-        stretchedByCuts(before, charts_, options_);
+    const IdVector<ChartId, std::uint8_t> isJoined = stretchedByCuts(before, charts_, options_);
     if (std::find(isJoined.begin(), isJoined.end(), 1) == isJoined.end()) return {};
     takeBack(before.set, isJoined, seams, open_);
     openAnew();

@@ -7,6 +7,7 @@
 #include "catch.h"
 #include "seam/extract_charts.h"
 #include "support/meshes.h"
+#include "support/unwrapped.h"
 
 using namespace abflat;
 using namespace abflat::test;
@@ -144,7 +145,39 @@ TEST_CASE("the seam finder is told which edges are hard", "[hard]") {
   IdVector<CutChartId, std::uint8_t> isWanted(cut.charts.size(), 0);
   for (const CutChartId c : isWanted.ids()) isWanted[c] = std::uint32_t{c} % 2 == 0;
   const SeamPart part = extractCharts(whole, cut, isWanted);
-  REQUIRE(part.mesh.isHard.size() == part.mesh.twin.size());
+  REQUIRE(part.mesh.breaks.size() == part.mesh.twin.size());
   for (const SurfaceCorner h : part.mesh.corners())
-    REQUIRE(part.mesh.isHard[h] == hard[part.wholeHalfEdge[h]]);
+    REQUIRE(part.mesh.breaks[h] == hard[part.wholeHalfEdge[h]]);
+}
+
+TEST_CASE("seams prefer to run where the material changes", "[hard]") {
+  // Two colours, each half of the way around the tube; the border is on its top and its bottom.
+  const unsigned columns = 36, rows = 24;
+  PolygonMesh mesh = torus(columns, rows);
+  std::set<std::uint32_t> border;
+  for (unsigned i = 0; i < columns; ++i) border.insert({6 * columns + i, 18 * columns + i});
+  const auto seamsOnBorder = [&](const PolygonMesh& m) {
+    UnwrapOptions options;
+    options.minUtilization = 0;
+    const UnwrapResult r = unwrapped(m, options);
+    std::size_t on = 0;
+    for (const EdgeVertices& e : r.seams) on += border.count(e[0]) && border.count(e[1]);
+    return on;
+  };
+  CHECK(seamsOnBorder(mesh) < columns / 3);
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const std::size_t row = f / 2 / columns;
+    mesh.faceMaterials.push_back(row >= 6 && row < 18);
+  }
+  // All the way around the hole at least once.
+  CHECK(seamsOnBorder(mesh) >= columns);
+}
+
+TEST_CASE("where the material does not change, materials change nothing", "[hard]") {
+  PolygonMesh mesh = torus(24, 16);
+  const UnwrapResult without = unwrapped(mesh, {});
+  mesh.faceMaterials.assign(mesh.faceCount(), 0);
+  const UnwrapResult with = unwrapped(mesh, {});
+  CHECK(with.uv == without.uv);
+  CHECK(with.seams == without.seams);
 }
