@@ -1,11 +1,5 @@
 #!/usr/bin/env node
-// Shows how layouts look to the people who use them: measures and pictures, beside the layout that a
-// mesh comes with.
-// Usage: npm run bench:likeness -- [MESH...] [--out FOLDER] [--up z] [options of abflat unwrap]
-// Without a mesh: ordinary shapes, and the generated samples. ABFLAT_BIN names another program, and
-// ABFLAT_BIN_BEFORE one to compare it with.
-// Writes FOLDER/index.html with a picture of each mesh from four sides, seams in red and boundaries
-// in blue, and of its layout; and FOLDER/montage.png with all of them.
+// Shows how layouts look to the people who use them; see USAGE.
 
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -54,6 +48,13 @@ const MEDIAN_COLUMNS = [
   ['valid', 'valid'],
   ['met', 'met'],
 ];
+
+const USAGE = `npm run bench:likeness -- [MESH...] [--out FOLDER] [--up z] [options of abflat unwrap]
+
+Measures and pictures of layouts, beside the layout that a mesh comes with. Without a mesh: ordinary
+shapes, and the generated samples. ABFLAT_BIN names another program, and ABFLAT_BIN_BEFORE one to
+compare it with. Writes FOLDER/index.html with a picture of each mesh from four sides, seams in red
+and boundaries in blue, and of its layout; and FOLDER/montage.png with all of them.`;
 
 const LEGEND = `
 seam: outlines of charts, cuts on both sides; smooth, flat: cuts along edges that bend by less than 15 and 0.1 degrees; crease: share of
@@ -142,6 +143,10 @@ async function layoutsOf(mesh, runs, up) {
 }
 
 await runMain(async () => {
+  if (process.argv.includes('--help')) {
+    console.log(USAGE);
+    return;
+  }
   const { meshes, folder, up, options } = argumentsOf(process.argv.slice(2));
   const found = await programs();
   mkdirSync(folder, { recursive: true });
