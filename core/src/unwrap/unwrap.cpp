@@ -216,11 +216,11 @@ class Unwrapping {
   Status searchMore() {
     constexpr int kMostFruitless = 3;
     const int searches = moreSearches();
-    FlatCut best{std::move(open_), std::move(charts_)};
+    FlatCut best{std::move(open_), std::move(charts_), {}};
     int fruitless = isSettled(options_, best) ? kMostFruitless : 0;
     for (int k = 1; k <= searches && fruitless < kMostFruitless; ++k) {
       if (Status s = cutAgain({k, &best.open}); !s.ok() || monitor_.stopped()) return s;
-      FlatCut other{std::move(open_), std::move(charts_)};
+      FlatCut other{std::move(open_), std::move(charts_), {}};
       fruitless = takeBetter(welded_, options_, best, other) ? 0 : fruitless + 1;
     }
     open_ = std::move(best.open);

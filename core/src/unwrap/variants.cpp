@@ -23,8 +23,22 @@ class CutValue {
         whole_(cutAlong(mesh_, givenSeams(cut.open))),
         cost_(whole_.charts.size(), 0),
         beyond_(whole_.charts.size(), 0) {
-    addSeams(cut.open.seams, options.seamCosts == SeamCosts::Sight);
     addCharts(cut.charts, options);
+  }
+
+  /// Where seams are hidden they are cheaper; where their cost counts, so does their length.
+  void addSeams(FlatCut& cut, SeamCosts costs) {
+    constexpr double kLength = 0.3, kUnseen = 0.6;
+    const bool isSight = costs == SeamCosts::Sight;
+    if (isSight && cut.hidden.empty()) cut.hidden = occlusion(mesh_);
+    const double ofLength = isSight ? kLength : 0;
+    for (const SurfaceCorner h : cut.open.seams.ids()) {
+      if (!cut.open.seams[h] || !mesh_.isOnSurface(h)) continue;
+      const CutChartId c = whole_.chartOf(h);
+      const double unseen = isSight ? kUnseen * cut.hidden[triangleOf(h)] : 0;
+      cost_[c] += (mesh_.cost[h] + ofLength * mesh_.length[h]) * (1 - unseen) /
+                  (2 * std::sqrt(whole_.charts[c].area));
+    }
   }
 
   const CutSurface& whole() const { return whole_; }
@@ -52,20 +66,6 @@ class CutValue {
     return out;
   }
 
-  /// Where seams are hidden they are cheaper; where their cost counts, so does their length.
-  void addSeams(const Seams& seams, bool isSight) {
-    constexpr double kLength = 0.3, kUnseen = 0.6;
-    const IdVector<SurfaceTriangle, double> hidden =
-        isSight ? occlusion(mesh_) : IdVector<SurfaceTriangle, double>(mesh_.triangleCount(), 0);
-    const double ofLength = isSight ? kLength : 0;
-    for (const SurfaceCorner h : seams.ids()) {
-      if (!seams[h] || !mesh_.isOnSurface(h)) continue;
-      const CutChartId c = whole_.chartOf(h);
-      cost_[c] += (mesh_.cost[h] + ofLength * mesh_.length[h]) *
-                  (1 - kUnseen * hidden[triangleOf(h)]) / (2 * std::sqrt(whole_.charts[c].area));
-    }
-  }
-
   void addCharts(const LaidCharts& charts, const UnwrapOptionValues& options) {
     constexpr double kChart = 0.1, kStretch = 5, kBad = 10;
     for (const ChartId i : charts.set.ids()) {
@@ -86,6 +86,12 @@ class CutValue {
   const CutSurface whole_;
   IdVector<CutChartId, double> cost_, beyond_;  ///< beyond 1, of the mean stretch
 };
+
+CutValue valueOf(FlatCut& cut, const UnwrapOptionValues& options) {
+  CutValue out(cut, options);
+  out.addSeams(cut, options.seamCosts);
+  return out;
+}
 
 template <class Id, class T>
 bool isEqual(const IdVector<Id, T>& a, const IdVector<Id, T>& b) {
@@ -134,8 +140,8 @@ int variantsWorth(std::size_t triangles) {
              : static_cast<int>(std::min<std::size_t>(kTriangles / triangles, kCostVariants));
 }
 
-double costOf(const UnwrapOptionValues& options, const FlatCut& cut) {
-  return CutValue(cut, options).total();
+double costOf(const UnwrapOptionValues& options, FlatCut& cut) {
+  return valueOf(cut, options).total();
 }
 
 bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut) {
@@ -144,7 +150,7 @@ bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut) {
 
 bool takeBetter(const WeldedMesh& welded, const UnwrapOptionValues& options, FlatCut& best,
                 FlatCut& other) {
-  const CutValue now(best, options), then(other, options);
+  const CutValue now = valueOf(best, options), then = valueOf(other, options);
   if (best.open.mirror || other.open.mirror || !haveSameParts(best.open, other.open)) {
     if (!isBetterAsAWhole(now, then, best, other)) return false;
     best = std::move(other);

@@ -9,10 +9,11 @@ namespace abflat {
 struct FlatCut {
   OpenSurface open;
   LaidCharts charts;
+  IdVector<SurfaceTriangle, double> hidden;  ///< see occlusion(); empty until it is asked for
 };
 
 /// What its seams, charts and their stretch cost in all.
-double costOf(const UnwrapOptionValues& options, const FlatCut& cut);
+double costOf(const UnwrapOptionValues& options, FlatCut& cut);
 
 /// How many more searches for the seams of a surface are worth their time, which grows with the
 /// number of its triangles.

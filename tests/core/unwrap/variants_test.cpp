@@ -38,7 +38,7 @@ class Searches {
     return out;
   }
 
-  double cost(const FlatCut& cut) const { return costOf(options_, cut); }
+  double cost(FlatCut& cut) const { return costOf(options_, cut); }
   bool take(FlatCut& best, FlatCut& other) const {
     return takeBetter(welded_, options_, best, other);
   }
