@@ -7,11 +7,11 @@ import { test } from 'node:test';
 import { PARTS } from '../support/made-parts.mjs';
 import { Random, surfaceText } from '../support/random-surfaces.mjs';
 import { RIGHT_ANGLED, shuffled } from '../support/right-angles.mjs';
-import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
+import { runAbflat } from '../support/run-abflat.mjs';
 import { sphere, torus, tube } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const RUNS = Number(process.env.ABFLAT_NUMBERING_RUNS ?? (isInstrumented ? 1 : 3));
+const RUNS = Number(process.env.ABFLAT_NUMBERING_RUNS ?? 3);
 
 /** Every vertex moved at random. */
 function shaken(random, surface, most) {

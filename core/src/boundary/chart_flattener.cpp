@@ -134,7 +134,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
     a.fallbacks.push_back(withFloor("the active set stalled", a.solution.barrierFloor));
   layOutAndCheck(a);
   for (const double floor : kFloors) {
-    // A higher floor changes nothing about the constraints.
+    // Constraints that cannot be met are not met with a higher floor either.
     const bool isHopeless = a.solution.barrierFloor > 0 && !a.solution.converged;
     if (isDelaunay || isHopeless || !isMisdrawn(a) || floor <= a.solution.barrierFloor) continue;
     Attempt b = a;

@@ -107,7 +107,8 @@ double costWhere(double bend, bool isConcave, std::uint8_t breaks) {
   constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree,
                    kSharp = 75 * kDegree;
   constexpr double kOfFlat = 5, kOfBent = 0.6, kOfConvex = 0.25, kOfConcave = 0.2;
-  if (breaks & kMaterialBorder) bend = std::max(bend, kSharp);
+  // What is flat is concave or convex only by rounding.
+  if ((breaks & kMaterialBorder) && bend < kSharp) return kOfConvex;
   if (bend < kFlat) return kOfFlat;
   if (breaks & kHardEdge) bend = std::max(bend, kBent);
   if (bend < kBent) return 1 - (1 - kOfBent) * smoothStep(kSmooth, kBent, bend);

@@ -207,7 +207,7 @@ Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, con
   // Where needles need more digits than a rough solution has, refining cannot bring them back.
   constexpr double kSuspicious = 2;
   const bool isGood = first.valid() && first.distortion.symmetricDirichlet < kSuspicious;
-  // What does not converge when rough does not converge at all.
+  // Where even a rough solution was not found, no exact one is.
   if (wishes.mayBeRough && !isGood && first.converged()) first = flattener.attempt(goal.t, &first);
   Attempt out = madeValid(flattener, std::move(first), goal.t, goal.untangle, effort);
   refineChart(flattener, wishes, out);

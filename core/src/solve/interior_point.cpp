@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 
 #include "base/constants.h"
 
@@ -18,7 +18,7 @@ constexpr double kGoodStep = 0.3;
 constexpr double kExactResidual = 1e-6;
 /// Angles that meet all constraints exist if their residual halves within a few steps, three as a
 /// rule, until it is small. If none exist, it never becomes small.
-constexpr int kMostStepsToHalve = 20;
+constexpr std::ptrdiff_t kMostStepsToHalve = 20;
 
 /// The largest step, up to `limit`, that takes at most the given fraction of a positive value.
 double shorten(double value, double change, double fraction, double limit) {
@@ -50,7 +50,7 @@ class InteriorPoint {
         s_.converged = true;
         break;
       }
-      if (isHopeless(now)) break;
+      if (isHopeless()) break;
       lowerBarrier(primal);
     }
     return std::move(s_);
@@ -187,12 +187,18 @@ class InteriorPoint {
   }
 
   /// Whether there seem to be no angles that meet the constraints.
-  bool isHopeless(const NewtonStep& now) {
-    if (now.constraint <= std::max(kExactResidual, halved_ / 2)) {
-      halved_ = now.constraint;
-      stepsToHalve_ = 0;
-    }
-    return ++stepsToHalve_ > kMostStepsToHalve && halved_ > kExactResidual;
+  bool isHopeless() const {
+    if (s_.history.size() <= std::size_t{kMostStepsToHalve}) return false;
+    const auto least = [](auto from, auto to) {
+      return std::min_element(from, to,
+                              [](const NewtonStep& a, const NewtonStep& b) {
+                                return a.constraint < b.constraint;
+                              })
+          ->constraint;
+    };
+    const auto recent = s_.history.end() - kMostStepsToHalve;
+    const double before = least(s_.history.begin(), recent);
+    return before > kExactResidual && least(recent, s_.history.end()) > before / 2;
   }
 
   /// Lowers the barrier with the mean complementarity, faster the longer the steps are.
@@ -213,10 +219,8 @@ class InteriorPoint {
   AngleSolution s_;
   Barrier barrier_;
   double tauSlack_ = 1;
-  double halved_ = std::numeric_limits<double>::infinity();  ///< residual, when it last halved
-  int stepsToHalve_ = 0;                                     ///< steps since then
-  std::vector<std::uint8_t> bounded_;                        ///< vertices with a finite bound
-  std::vector<double> slack_, slackStep_, compliance_;       ///< per vertex
+  std::vector<std::uint8_t> bounded_;                   ///< vertices with a finite bound
+  std::vector<double> slack_, slackStep_, compliance_;  ///< per vertex
   Linearization lin_;
   std::vector<double> dx_, dualStep_;
   Multipliers next_;
