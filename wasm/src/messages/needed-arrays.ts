@@ -3,23 +3,25 @@ import { ownFields } from './fields.js';
 
 /** The mesh without the arrays that these options do not use. */
 export function neededFor(
-  options: Pick<UnwrapOptions, 'seams' | 'fixedFaces'>,
+  options: Pick<UnwrapOptions, 'seams' | 'fixedFaces' | 'stack'>,
   mesh: MeshArrays,
 ): MeshArrays {
-  const { seams, fixedFaces } = ownFields(options);
+  const { seams, fixedFaces, stack = 'none' } = ownFields(options);
   const { positions, indices, texcoords, normals, cornerNormals, materials } = ownFields(mesh);
   // A value that is not a string is refused later, when it is used.
   const words = seams === undefined ? 'auto' : seams;
   const sources = typeof words === 'string' ? words.split(',').map((each) => each.trim()) : [];
   const wants = (source: string) => sources.includes(source);
-  // Automatic seams are told where shading breaks, too.
+  // Automatic seams are told where shading and materials change, too.
   const wantsHardEdges = wants('hard') || wants('auto');
+  // Parts of different materials share no texels.
+  const wantsMaterials = wants('material') || wants('auto') || stack !== 'none';
   return {
     positions,
     indices,
     ...(texcoords && (fixedFaces || wants('uv')) && { texcoords }),
     ...(normals && wantsHardEdges && { normals }),
     ...(cornerNormals && wantsHardEdges && { cornerNormals }),
-    ...(materials && wants('material') && { materials }),
+    ...(materials && wantsMaterials && { materials }),
   };
 }
