@@ -6,7 +6,9 @@
 
 #include "base/few_bits.h"
 #include "base/long_sum.h"
+#include "base/smooth_step.h"
 #include "cut/edge_bends.h"
+#include "cut/front.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -86,19 +88,6 @@ void measureTriangle(SeamMesh& m, SurfaceTriangle f, IdVector<SurfaceCorner, dou
   }
 }
 
-bool isConcave(const SeamMesh& m, SurfaceCorner h) {
-  const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, triangleOf(h));
-  const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
-  const SurfaceCorner apex = prevCorner(m.twin[h]);
-  return dot(edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[apex]), n) > 0;
-}
-
-/// From 0 to 1 where x goes from `low` to `high`, without a kink.
-double smoothStep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 /// Cost of a seam where the surface bends that much, relative to its length. Nothing hides a seam
 /// in a flat face; a crease does, a concave one better. Where shading breaks, there is a crease,
 /// and where the material changes, the textures do not continue anyway.
@@ -132,8 +121,10 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
 }
 
 /// Costs by how much seams are in sight.
-void hideSeams(SeamMesh& m, const Pulse& pulse) {
+void hideSeams(SeamMesh& m, std::size_t upAxis, const Pulse& pulse) {
   const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
+  m.dearness = findFront(m, bend, upAxis);
+  for (double& x : m.dearness) x = 1 + (kDearInFront - 1) * x;
   const auto breaks = [&](SurfaceCorner h) {
     return h < m.breaks.size() ? m.breaks[h] : std::uint8_t(0);
   };
@@ -141,11 +132,18 @@ void hideSeams(SeamMesh& m, const Pulse& pulse) {
     const SurfaceCorner o = m.twin[h];
     if (o.exists() && h < o)
       m.cost[h] = m.cost[o] =
-          inFewBits(m.length[h] * costWhere(bend[h], isConcave(m, h), breaks(h)));
+          inFewBits(m.length[h] * m.dearnessAt(h) * costWhere(bend[h], isConcave(m, h), breaks(h)));
   }
 }
 
 }  // namespace
+
+bool isConcave(const SeamMesh& m, SurfaceCorner h) {
+  const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, triangleOf(h));
+  const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
+  const SurfaceCorner apex = prevCorner(m.twin[h]);
+  return dot(edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[apex]), n) > 0;
+}
 
 double SeamMesh::totalArea() const {
   double sum = 0;
@@ -164,7 +162,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
                       const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale,
                       const IdVector<SurfaceCorner, std::uint8_t>& breaks, SeamCosts costs,
-                      const Pulse& pulse) {
+                      std::size_t upAxis, const Pulse& pulse) {
   SeamMesh m;
   m.breaks = breaks;
   m.vertexOfCorner = fans.ofCorner;
@@ -182,7 +180,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
     pulse.beat();
   }
   weighEdges(m, cotangent);
-  if (costs == SeamCosts::Sight) hideSeams(m, pulse);
+  if (costs == SeamCosts::Sight) hideSeams(m, upAxis, pulse);
   pulse.beat(corners);
   for (const SurfaceCorner h : isDiagonal.ids())
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();

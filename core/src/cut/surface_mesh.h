@@ -18,6 +18,9 @@ namespace abflat {
 /// every vertex.
 constexpr double kBarredCost = 1e9;
 
+/// What a seam in the front costs, relative to elsewhere.
+constexpr double kDearInFront = 3;
+
 /// What ends along a half-edge: shading, or a material.
 constexpr std::uint8_t kHardEdge = 1, kMaterialBorder = 2;
 
@@ -32,9 +35,13 @@ struct SeamMesh {
   IdVector<SurfaceCorner, double> angle;        ///< radians; made up for degenerate triangles
   IdVector<SurfaceTriangle, double> area;
   IdVector<SurfaceCorner, double> length;  ///< of a half-edge
-  /// Cost of a seam along a half-edge: its length, less where it is hidden and more in flat faces.
+  /// Cost of a seam along a half-edge: its length, less where it is hidden, more in flat faces and
+  /// where people look.
   /// kBarredCost where holes have to stay filled, infinite within a polygon.
   IdVector<SurfaceCorner, double> cost;
+  /// By how much cost is higher than it would be elsewhere; empty: 1. Edges of triangles that fill
+  /// holes may be missing.
+  IdVector<SurfaceCorner, double> dearness;
   /// kHardEdge and kMaterialBorder, as far as the file has them; empty if it has neither. Edges of
   /// triangles that fill holes may be missing.
   IdVector<SurfaceCorner, std::uint8_t> breaks;
@@ -58,6 +65,9 @@ struct SeamMesh {
   IdRange<SurfaceCorner> fillingCorners() const;
   SurfaceVertex tail(SurfaceCorner h) const { return vertexOfCorner[h]; }
   SurfaceVertex head(SurfaceCorner h) const { return vertexOfCorner[nextCorner(h)]; }
+  double dearnessAt(SurfaceCorner h) const { return h < dearness.size() ? dearness[h] : 1; }
+  /// What a seam would cost if people looked elsewhere; more than its length in a flat face.
+  double plainCost(SurfaceCorner h) const { return cost[h] / dearnessAt(h); }
   bool isFilling(SurfaceTriangle f) const { return !hole.empty() && hole[f].exists(); }
   /// Whether a cut here can be seen, which takes surface on both sides.
   bool isOnSurface(SurfaceCorner h) const {
@@ -77,14 +87,19 @@ using LogScales = IdVector<SurfaceVertex, double>;
 /// The rank of each vertex in an elimination order. The ranks of a mesh also suit any part of it.
 using EliminationRanks = IdVector<SurfaceVertex, std::uint32_t>;
 
+/// Whether the surface is hollow along an edge between two triangles.
+bool isConcave(const SeamMesh& mesh, SurfaceCorner h);
+
 /// `positions` are those of the input vertices that fans.inputVertex refers to, finite.
 /// `isDiagonal` is empty if all faces are triangles. `scale` is given per triangle if there are
-/// several scales, which share no fan and have a grid each; otherwise it is empty.
+/// several scales, which share no fan and have a grid each; otherwise it is empty. `upAxis`: the
+/// coordinate that points up.
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans,
                       const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal = {},
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale = {},
                       const IdVector<SurfaceCorner, std::uint8_t>& breaks = {},
-                      SeamCosts costs = SeamCosts::Sight, const Pulse& pulse = {});
+                      SeamCosts costs = SeamCosts::Sight, std::size_t upAxis = 1,
+                      const Pulse& pulse = {});
 
 }  // namespace abflat

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "base/smooth_step.h"
 #include "samples/generators.h"
 #include "samples/grid.h"
 
@@ -47,12 +48,6 @@ double bumpAt(const Bump& bump, double longitude, double latitude) {
     if (std::remainder(2 * bump.longitude, 360) == 0) break;
   }
   return sum;
-}
-
-/// 0 below `from`, 1 above `to`, smooth in between.
-double smoothStep(double from, double to, double x) {
-  const double s = std::min(std::max((x - from) / (to - from), 0.0), 1.0);
-  return s * s * (3 - 2 * s);
 }
 
 /// Point of the head in a direction.

@@ -34,7 +34,7 @@ struct Component {
 Seams allCreases(const SeamMesh& mesh) {
   Seams out(mesh.twin.size(), 0);
   for (const SurfaceCorner h : mesh.corners())
-    out[h] = mesh.isOnSurface(h) && mesh.cost[h] < kMostCost * mesh.length[h];
+    out[h] = mesh.isOnSurface(h) && mesh.plainCost(h) < kMostCost * mesh.length[h];
   return out;
 }
 

@@ -31,6 +31,7 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     m.angle.push_back(mesh.angle[h]);
     m.length.push_back(mesh.length[h]);
     m.cost.push_back(mesh.cost[h]);
+    if (!mesh.dearness.empty()) m.dearness.push_back(mesh.dearnessAt(h));
     if (!mesh.breaks.empty()) m.breaks.push_back(h < mesh.breaks.size() ? mesh.breaks[h] : 0);
     m.weight.push_back(mesh.weight[h]);
     m.vertexArea[vertex[v]] += mesh.area[triangleOf(h)] / 3;

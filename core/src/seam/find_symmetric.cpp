@@ -49,7 +49,7 @@ class SymmetricFinder {
     // Two seams instead of one are bad only where they are seen.
     constexpr double kInSight = 0.85, kDearInSight = 2;
     for (const SurfaceCorner h : mesh.corners())
-      if (mesh.cost[h] > kInSight * mesh.length[h] && mesh.cost[h] < kBarredCost)
+      if (mesh.plainCost(h) > kInSight * mesh.length[h] && mesh.cost[h] < kBarredCost)
         dear_.cost[h] *= kDearInSight;
   }
 
@@ -150,7 +150,7 @@ class SymmetricFinder {
     for (const SurfaceCorner h : seams.ids()) {
       if (!seams[h] || !mesh_.isOnSurface(h)) continue;
       all += mesh_.length[h] / 2;
-      if (mesh_.cost[h] > mesh_.length[h]) flat += mesh_.length[h] / 2;
+      if (mesh_.plainCost(h) > mesh_.length[h]) flat += mesh_.length[h] / 2;
     }
     return {all, flat};
   }

@@ -113,6 +113,7 @@ void addTriangle(const SeamMesh& mesh, SurfaceCorner first, SeamPart& out) {
     m.angle.push_back(mesh.angle[h]);
     m.length.push_back(mesh.length[h]);
     m.cost.push_back(mesh.cost[h]);
+    if (!mesh.dearness.empty()) m.dearness.push_back(mesh.dearnessAt(h));
     m.weight.push_back(mesh.weight[h]);
   }
 }

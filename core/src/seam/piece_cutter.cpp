@@ -246,7 +246,7 @@ bool PieceCutter::split(PieceId piece, BoundaryIndex from, BoundaryIndex to, dou
   };
   // A cut along a crease must not go on through a flat face.
   const auto isInFlat = [&](SurfaceCorner h) {
-    return std::isfinite(mostCost) && mesh_.cost[h] > mesh_.length[h];
+    return std::isfinite(mostCost) && mesh_.plainCost(h) > mesh_.length[h];
   };
   if (std::none_of(path.begin(), path.end(), isSolid) || costOf(path) > mostCost ||
       std::any_of(path.begin(), path.end(), isInFlat))

@@ -15,7 +15,7 @@ bool isBad(const Shape& shape, SplitFor reason, const ShapeOptions& options) {
 IdVector<CutChartId, std::uint8_t> areFlat(const SeamMesh& mesh, const CutSurface& s) {
   IdVector<CutChartId, std::uint8_t> out(s.charts.size(), 1);
   for (const SurfaceCorner h : mesh.corners())
-    if (s.twin[h].exists() && mesh.cost[h] <= mesh.length[h]) out[s.chartOf(h)] = 0;
+    if (s.twin[h].exists() && mesh.plainCost(h) <= mesh.length[h]) out[s.chartOf(h)] = 0;
   return out;
 }
 

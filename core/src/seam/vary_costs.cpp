@@ -6,8 +6,27 @@
 
 namespace abflat {
 
+namespace {
+
+void makeFrontDearer(int variant, SeamMesh& mesh) {
+  constexpr double kSeveralTimes = 5, kLastResort = 1e4;
+  const double most = variant == kCostVariants + 1 ? kSeveralTimes : kLastResort;
+  for (const SurfaceCorner h : mesh.dearness.ids()) {
+    const double share = (mesh.dearness[h] - 1) / (kDearInFront - 1);
+    const double factor = inFewBits(1 + (most - 1) * share);
+    mesh.cost[h] *= factor;
+    mesh.dearness[h] *= factor;
+  }
+}
+
+}  // namespace
+
 void varyCosts(int variant, SeamMesh& mesh) {
   if (variant == 0) return;
+  if (isForFront(variant)) {
+    makeFrontDearer(variant, mesh);
+    return;
+  }
   constexpr int kAxes = 3;
   constexpr double kMost = 0.4, kMean = 1.0 / 3;  // of the square of a coordinate, on a sphere
   const Vec3 axis = principalAxes(mesh).axes[static_cast<std::size_t>((variant - 1) % kAxes)];

@@ -18,6 +18,7 @@
 #include "seam/plates.h"
 #include "seam/prediction.h"
 #include "seam/seam_value.h"
+#include "seam/vary_costs.h"
 #include "unwrap/expected_density.h"
 
 namespace abflat {
@@ -45,7 +46,8 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
     if (given[h]) table.twin[h] = SurfaceCorner();
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
     return makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
-                        asked.scales.ofTriangle, asked.breaks, options.seamCosts, pulse);
+                        asked.scales.ofTriangle, asked.breaks, options.seamCosts, asked.upAxis,
+                        pulse);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;
@@ -227,6 +229,7 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const Se
   const EliminationRanks ranks = toBegin.eliminationRanks;
   findAround(uncut.fixed.isFixed, toBegin, open, found);
   if (variant.before) open.eliminationRanks = ranks;
+  if (isForFront(variant.costs)) open.variant = variant.costs;
   return open;
 }
 
@@ -372,8 +375,9 @@ Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& ch
   for (const CutChartId c : s.charts.ids())
     if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
   SeamReport found;
-  const bool isAnyFound = findWithin(
-      apart, isWanted, seamOptions(options, open, pool, std::move(keepsOn)), open, found);
+  const bool isAnyFound =
+      findWithin(apart, isWanted,
+                 seamOptions(options, open, pool, std::move(keepsOn), open.variant), open, found);
   return isAnyFound || isAnyRestored ? Further::Cut : Further::Nothing;
 }
 

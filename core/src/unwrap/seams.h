@@ -30,6 +30,7 @@ struct OpenSurface {
   LogScales foundScale;               ///< expected, before seams were shortened
   Mirror mirror;                      ///< what the seams are symmetric to, if they are
   Asymmetry asymmetry = Asymmetry::None;
+  int variant = 0;       ///< of the costs, where charts are cut further
   KnownSeams otherwise;  ///< to be used if symmetric seams are worse than expected
 };
 
@@ -46,6 +47,7 @@ struct AskedCuts {
   Seams seams;
   Seams breaks;  ///< as in SeamMesh, cut or not
   Scales scales;
+  std::size_t upAxis = 1;
 };
 
 /// Which of several searches for seams it is.

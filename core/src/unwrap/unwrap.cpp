@@ -15,9 +15,9 @@
 #include "mesh/notches.h"
 #include "mesh/surface_map.h"
 #include "mesh/triangle_geometry.h"
-#include "seam/given_seams.h"
 #include "seam/hard_edges.h"
 #include "seam/scale_seams.h"
+#include "seam/vary_costs.h"
 #include "unwrap/atlas.h"
 #include "unwrap/certificate.h"
 #include "unwrap/chart.h"
@@ -150,6 +150,7 @@ class Unwrapping {
   }
 
   Status cut() {
+    asked_.upAxis = upAxis();
     asked_.breaks = hardEdges(map());
     Result<Seams> given = givenSeams(map(), options_.seams, asked_.breaks);
     if (!given.ok()) return given.status;
@@ -168,7 +169,9 @@ class Unwrapping {
     open_ = cutOpen(
         uncut(), asked_, {}, options_, *pool_, [&] { return monitor_.tell(kSeams, search.next()); },
         report_.seams);
-    if (moreSearches() == 0) surface_.fans = Fans();
+    if (canCut(options_) && fixed_.isFixed.empty())
+      variants_ = variantsWorth(surface_.table.triangles().size(), !open_.mesh.dearness.empty());
+    if (variants_.empty()) surface_.fans = Fans();
     monitor_.tellAgain();
     if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);
     return {};
@@ -195,15 +198,9 @@ class Unwrapping {
 
   UncutSurface uncut() const { return {welded_, unit_, surface_, fixed_}; }
 
-  /// How many other searches for seams there are.
-  int moreSearches() const {
-    const bool isFree = canCut(options_) && fixed_.isFixed.empty();
-    return isFree ? variantsWorth(surface_.table.triangles().size()) : 0;
-  }
-
   Status flatten() {
     const auto tell = [&](double share) { return tellSolve(share); };
-    isSearching_ = moreSearches() > 0;
+    isSearching_ = !variants_.empty();
     if (Status s = flattenCut(tell); !s.ok()) return s;
     if (isSearching_)
       if (Status s = searchMore(); !s.ok()) return s;
@@ -212,16 +209,17 @@ class Unwrapping {
     return {};
   }
 
-  /// Cuts small meshes in other ways, too, and keeps what turns out best.
+  /// Cuts the surface in other ways, too, and keeps what turns out best.
   Status searchMore() {
     constexpr int kMostFruitless = 3;
-    const int searches = moreSearches();
     FlatCut best{std::move(open_), std::move(charts_), {}};
     int fruitless = isSettled(options_, best) ? kMostFruitless : 0;
-    for (int k = 1; k <= searches && fruitless < kMostFruitless; ++k) {
-      if (Status s = cutAgain({k, &best.open}); !s.ok() || monitor_.stopped()) return s;
+    for (const int variant : variants_) {
+      if (fruitless >= kMostFruitless) break;
+      if (Status s = cutAgain({variant, &best.open}); !s.ok() || monitor_.stopped()) return s;
       FlatCut other{std::move(open_), std::move(charts_), {}};
-      fruitless = takeBetter(welded_, options_, best, other) ? 0 : fruitless + 1;
+      const bool isBetter = takeBetter(welded_, options_, best, other);
+      if (!isForFront(variant)) fruitless = isBetter ? 0 : fruitless + 1;
     }
     open_ = std::move(best.open);
     charts_ = std::move(best.charts);
@@ -572,6 +570,7 @@ class Unwrapping {
   LaidCharts charts_;
   Texcoords texcoords_;
   IdVector<ChartId, ChartWishes> wishes_;
+  std::vector<int> variants_;            ///< of costs, for further searches
   bool isSearching_ = false;             ///< for seams, of which the best are taken
   int round_ = 0;                        ///< of flattening
   static constexpr double kUncut = 0.6;  ///< share of packing before charts may be cut for it

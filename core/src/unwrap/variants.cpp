@@ -133,11 +133,16 @@ void takeSeams(const CutSurface& whole, const IdVector<CutChartId, std::uint8_t>
 
 }  // namespace
 
-int variantsWorth(std::size_t triangles) {
-  constexpr std::size_t kTriangles = 20000;  // about half a second
-  return triangles == 0
-             ? 0
-             : static_cast<int>(std::min<std::size_t>(kTriangles / triangles, kCostVariants));
+std::vector<int> variantsWorth(std::size_t triangles, bool hasFront) {
+  constexpr std::size_t kTriangles = 20000;        // about half a second
+  constexpr std::size_t kMostWithFront = 120'000;  // about three seconds for each
+  std::vector<int> out;
+  if (hasFront && triangles <= kMostWithFront)
+    for (int k = 1; k <= kFrontVariants; ++k) out.push_back(kCostVariants + k);
+  const std::size_t others = triangles == 0 ? 0 : kTriangles / triangles;
+  for (int k = 1; k <= static_cast<int>(std::min<std::size_t>(others, kCostVariants)); ++k)
+    out.push_back(k);
+  return out;
 }
 
 double costOf(const UnwrapOptionValues& options, FlatCut& cut) {

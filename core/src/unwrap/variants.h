@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "unwrap/laid_charts.h"
 #include "unwrap/seams.h"
 
@@ -15,9 +17,10 @@ struct FlatCut {
 /// What its seams, charts and their stretch cost in all.
 double costOf(const UnwrapOptionValues& options, FlatCut& cut);
 
-/// How many more searches for the seams of a surface are worth their time, which grows with the
-/// number of its triangles.
-int variantsWorth(std::size_t triangles);
+/// The costs of further searches for the seams of a surface that are worth their time, which grows
+/// with the number of its triangles; see varyCosts. `hasFront`: whether people look at a side of
+/// it.
+std::vector<int> variantsWorth(std::size_t triangles, bool hasFront);
 
 /// Whether no other search would be listened to, since all components nearly unroll.
 bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catch.h"
+#include "samples/generators.h"
 #include "support/cut_meshes.h"
 #include "support/meshes.h"
 
@@ -66,6 +67,30 @@ TEST_CASE("varied costs differ a little, each variant in its own way", "[seams]"
 TEST_CASE("varied costs are those of the shape, however it lies", "[seams]") {
   for (int k = 1; k <= kCostVariants; ++k)
     checkAlike(factors(hills(), k), factors(transformed(hills(), 3, {5, -2, 1}), k));
+}
+
+TEST_CASE("the last variants make the front dearer, and nothing else", "[seams]") {
+  const SeamMesh before = Cuttable(makeHead(1)).seamMesh;
+  REQUIRE(!before.dearness.empty());
+  double last = 1;
+  for (int k = kCostVariants + 1; k <= kCostVariants + kFrontVariants; ++k) {
+    SeamMesh varied = before;
+    varyCosts(k, varied);
+    double most = 1;
+    for (const SurfaceCorner h : before.corners()) {
+      const double factor = varied.cost[h] / before.cost[h];
+      CHECK(varied.plainCost(h) == Approx(before.plainCost(h)));
+      CHECK((factor == 1) == (before.dearness[h] == 1));
+      most = std::max(most, factor);
+    }
+    CHECK(most > 4 * last);
+    last = most;
+  }
+  SeamMesh hilly = Cuttable(hills()).seamMesh;
+  hilly.dearness.clear();
+  const IdVector<SurfaceCorner, double> cost = hilly.cost;
+  varyCosts(kCostVariants + 1, hilly);
+  CHECK(hilly.cost == cost);
 }
 
 TEST_CASE("varied costs of mirror images are alike", "[seams]") {

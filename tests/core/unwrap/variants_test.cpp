@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "mesh/surface.h"
 #include "mesh/welded_mesh.h"
+#include "seam/vary_costs.h"
 #include "support/copies.h"
 #include "support/meshes.h"
 #include "unwrap/layouts.h"
@@ -94,7 +95,12 @@ TEST_CASE("what unrolls is not cut in another way", "[unwrap]") {
   const double before = searches.cost(best);
   CHECK_FALSE(searches.take(best, other));
   CHECK(searches.cost(best) == before);
-  CHECK(variantsWorth(0) == 0);
-  CHECK(variantsWorth(100) > variantsWorth(6000));
-  CHECK(variantsWorth(1000000) == 0);
+}
+
+TEST_CASE("the larger a surface, the fewer searches", "[unwrap]") {
+  CHECK(variantsWorth(0, false).empty());
+  CHECK(variantsWorth(100, false).size() > variantsWorth(6000, false).size());
+  CHECK(variantsWorth(50'000, false).empty());
+  CHECK(variantsWorth(50'000, true).size() == kFrontVariants);
+  CHECK(variantsWorth(1'000'000, true).empty());
 }

@@ -99,7 +99,7 @@ inline const char* nameOf(PackingCuts code) {
   return "";
 }
 
-/// Which axis of the mesh points up: charts that stand are laid out upright.
+/// Which axis of the mesh points up: charts that stand are laid out upright, and a face is looked for at the sides.
 enum class Up : int {
   Auto = 0,  ///< z in STL files, y in all others
   Y = 1,  ///< the y axis
@@ -200,7 +200,7 @@ struct UnwrapOptionValues {
   PackingCuts packingCuts = PackingCuts::Auto;
   /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, like packingCuts = never; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)
   double minUtilization = -1;
-  /// which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis
+  /// which axis of the mesh points up: charts that stand are laid out upright, and a face is looked for at the sides: auto = z in STL files, y in all others; y = the y axis; z = the z axis
   Up up = Up::Auto;
   /// how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
   Rotate rotate = Rotate::Auto;
@@ -230,7 +230,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"packingCuts", "--packing-cuts", "auto", "auto, never", "whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole", false, true},
     {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, like packingCuts = never; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
-    {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
+    {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright, and a face is looked for at the sides: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
     {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how charts, which lie level and upright, are turned to pack tighter: auto = like free, but charts with straight outlines by quarter turns only; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"stack", "--stack", "none", "none, identical, mirrored", "which parts and charts of equal shape lie on each other and share their texels: none = each has texels of its own; identical = those that are moved and turned; mirrored = mirror images as well, whose triangles run clockwise in the atlas", false, true},
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},

@@ -1,0 +1,103 @@
+#include "cut/front.h"
+
+#include <cmath>
+
+#include "base/constants.h"
+#include "base/disjoint_sets.h"
+#include "base/few_bits.h"
+#include "base/smooth_step.h"
+#include "mesh/triangle_geometry.h"
+
+namespace abflat {
+namespace {
+
+/// A component's edges, each by its length times its bend.
+struct Bends {
+  double all = 0, sharp = 0, concave = 0;
+  Vec3 open{};  ///< the directions that the concave ones face
+  double area = 0;
+};
+
+/// Where parts are put together from flat faces, creases say where seams are hidden. Where hardly
+/// anything is hollow, or it is everywhere alike, there is no front.
+bool hasFront(const Bends& b) {
+  constexpr double kMostSharp = 0.65, kLeastConcave = 0.2, kLeastOneWay = 0.1;
+  const double ball = std::sqrt(16 * kPi);  // sum of a ball's bends, over the root of its area
+  return b.all > ball * std::sqrt(b.area) && b.sharp < kMostSharp * b.all &&
+         b.concave > kLeastConcave * b.all && norm(b.open) > kLeastOneWay * b.concave;
+}
+
+class FrontFinder {
+ public:
+  FrontFinder(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& bend)
+      : mesh_(mesh), bend_(bend), parts_(mesh.triangleCount()) {
+    for (const SurfaceCorner h : mesh.corners())
+      if (const SurfaceCorner o = mesh.twin[h]; o > h && o.exists())
+        parts_.join(triangleOf(h), triangleOf(o));
+    for (const SurfaceTriangle f : mesh.triangles())
+      normal_.push_back(unitNormal(mesh.positions, verticesOf(mesh.vertexOfCorner, f)));
+  }
+
+  IdVector<SurfaceCorner, double> find(std::size_t upAxis) {
+    addBends(upAxis);
+    IdVector<SurfaceCorner, double> out;
+    for (const SurfaceCorner h : mesh_.corners()) {
+      const SurfaceCorner o = mesh_.twin[h];
+      if (!o.exists() || o < h) continue;
+      const Bends& b = bendsAt(h);
+      if (!hasFront(b)) continue;
+      out.resize(mesh_.twin.size(), 0);
+      constexpr double kBeside = 0.3, kAhead = 0.7;
+      out[h] = out[o] =
+          inFewBits(smoothStep(kBeside, kAhead, dot(facing(h), b.open) / norm(b.open)));
+    }
+    return out;
+  }
+
+ private:
+  Bends& bendsAt(SurfaceCorner h) {
+    return ofPart_[SurfaceTriangle(parts_.leastOf(triangleOf(h)))];
+  }
+
+  void addBends(std::size_t upAxis) {
+    constexpr double kSharp = 35 * kPi / 180;
+    ofPart_.resize(mesh_.triangleCount());
+    for (const SurfaceCorner h : mesh_.corners()) {
+      Bends& b = bendsAt(h);
+      b.area += mesh_.area[triangleOf(h)] / 3;
+      if (!mesh_.twin[h].exists() || mesh_.twin[h] < h) continue;
+      const double turn = bend_[h] * mesh_.length[h];
+      b.all += turn;
+      if (bend_[h] > kSharp) b.sharp += turn;
+      if (!isConcave(mesh_, h)) continue;
+      b.concave += turn;
+      const Vec3 n = facing(h);
+      for (std::size_t d = 0; d < 3; ++d)
+        if (d != upAxis) b.open[d] += turn * n[d];
+    }
+  }
+
+  /// The mean direction of the two triangles of an edge.
+  Vec3 facing(SurfaceCorner h) const {
+    const Vec3 &a = normal_[triangleOf(h)], &b = normal_[triangleOf(mesh_.twin[h])];
+    const Vec3 sum{a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+    const double length = norm(sum);
+    return length > 0 ? Vec3{sum[0] / length, sum[1] / length, sum[2] / length} : sum;
+  }
+
+  const SeamMesh& mesh_;
+  const IdVector<SurfaceCorner, double>& bend_;
+  DisjointSets parts_;
+  IdVector<SurfaceTriangle, Vec3> normal_;
+  IdVector<SurfaceTriangle, Bends> ofPart_;  ///< at the least triangle of each component
+};
+
+}  // namespace
+
+IdVector<SurfaceCorner, double> findFront(const SeamMesh& mesh,
+                                          const IdVector<SurfaceCorner, double>& bend,
+                                          std::size_t upAxis) {
+  return FrontFinder(mesh, bend).find(upAxis);
+}
+
+}  // namespace abflat
