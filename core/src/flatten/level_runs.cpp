@@ -186,16 +186,15 @@ Deviations deviationsOf(const DiskChart& chart, const Sides& sides, const Direct
 
 }  // namespace
 
-LevelRuns findLevelRuns(const DiskChart& chart, const std::vector<double>& uv) {
-  constexpr double kLeastAgreement = 0.4;
-  constexpr double kMostDeviation = 20 * kDegree;  // root of the mean square
+LevelRuns findLevelRuns(const DiskChart& chart, const std::vector<double>& uv,
+                        const LevelLimits& limits) {
   LevelRuns out;
   Sides sides = sidesOf(chart, uv);
   double length = 0;
   for (const Side& side : sides) length += side.length;
   if (!(length > 0) || sides.size() < 4) return out;
   const Axis axis = axisOf(sides, length);
-  if (axis.agreement < kLeastAgreement) return out;
+  if (axis.agreement < limits.leastAgreement) return out;
   out.turn = -axis.angle;
   for (Side& side : sides) side.angle -= axis.angle;
   const Directions directions = Polygon(chart, sides, length).directions();
@@ -206,7 +205,8 @@ LevelRuns findLevelRuns(const DiskChart& chart, const std::vector<double>& uv) {
     while (directions[run.to] == directions[i]) run.to = chart.after(run.to);
     const Deviations own = deviationsOf(chart, sides, directions, run);
     out.before += own.before / length;
-    if (own.square <= kMostDeviation * kMostDeviation * own.length) out.runs.push_back(run);
+    if (own.square <= limits.mostDeviation * limits.mostDeviation * own.length)
+      out.runs.push_back(run);
   }
   out.runs = withoutChords(chart, std::move(out.runs));
   for (const LevelRun& run : out.runs)

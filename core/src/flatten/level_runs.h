@@ -19,9 +19,16 @@ struct LevelRuns {
   std::vector<LevelRun> runs;
 };
 
+/// What an outline needs to be seen as a polygon of level sides, and each of its sides.
+struct LevelLimits {
+  double leastAgreement = 0.4;   ///< of its edges on two axes, from 0 to 1
+  double mostDeviation = 0.349;  ///< radians, root of the mean square
+};
+
 /// Sees the outline of a layout as a polygon of horizontal and vertical sides, and returns those
 /// that come near enough. None if no such polygon resembles it. Where a side cannot be straight
 /// because triangles would lose their area, it is left out.
-LevelRuns findLevelRuns(const DiskChart& chart, const std::vector<double>& uv);
+LevelRuns findLevelRuns(const DiskChart& chart, const std::vector<double>& uv,
+                        const LevelLimits& limits = {});
 
 }  // namespace abflat

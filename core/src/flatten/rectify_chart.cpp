@@ -5,7 +5,6 @@
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "boundary/chart_flattener.h"
-#include "flatten/level_runs.h"
 #include "layout/pose.h"
 #include "mesh/triangle_geometry.h"
 #include "refine/refine.h"
@@ -65,7 +64,7 @@ void level(const DiskChart& chart, const std::vector<LevelRun>& runs, std::vecto
 Rectified rectified(const DiskChart& chart, const std::vector<double>& uv,
                     const RectifyOptions& options) {
   constexpr double kLeastGain = 0.1;  // share of the outline
-  const LevelRuns found = findLevelRuns(chart, uv);
+  const LevelRuns found = findLevelRuns(chart, uv, options.limits);
   if (found.share - found.before < kLeastGain) return {};
   std::vector<double> now = uv;
   turn(found.turn, now);
@@ -81,8 +80,8 @@ Rectified rectified(const DiskChart& chart, const std::vector<double>& uv,
   }
   level(chart, found.runs, now);
   fitArea(chart, now);
-  if (!checkSeparated(chart, now).valid()) return {};
-  return {std::move(now), found.share - found.before};
+  if (!checkSeparated(chart, now).valid()) return {{}, 0, found.runs.size()};
+  return {std::move(now), found.share - found.before, found.runs.size()};
 }
 
 }  // namespace abflat

@@ -5,11 +5,13 @@
 
 #include "base/parallel.h"
 #include "chart/disk_chart.h"
+#include "flatten/level_runs.h"
 
 namespace abflat {
 
 struct RectifyOptions {
   double balance = 0;  ///< see elementEnergy
+  LevelLimits limits;
   std::uint64_t allowedBytes = 0;
   ThreadPool* pool = nullptr;
   std::function<bool()> onStep;  ///< called for each step; returning false stops
@@ -18,6 +20,7 @@ struct RectifyOptions {
 struct Rectified {
   std::vector<double> uv;  ///< in the chart's unit, at its area; empty: stays as it was
   double gain = 0;         ///< share of the outline that has become straight and level
+  std::size_t runs = 0;    ///< how many parts that are, or would have been
 };
 
 /// Makes parts of a valid layout's outline that are nearly straight exactly so, and level: a strip

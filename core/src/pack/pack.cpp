@@ -203,11 +203,7 @@ class Packer {
   }
 
   Status placeInOneTile() {
-    const ScaleOptions how{options_.work, options_.pool, options_.progress};
-    ScaleSearch found = searchScale(items_, grid_, taken_[0], how);
-    tries_ = found.tries;
-    density_ = found.texelsPerUnit;
-    placed_ = std::move(found.best);
+    search();
     if (placed_.fit == Fit::Cancelled) return {StatusCode::Aborted, "cancelled"};
     if (placed_.fit == Fit::All) return {};
     if (grid_.cell > 1) {
@@ -218,6 +214,50 @@ class Packer {
     return tooSmall(text(movable_.size()) + " charts of one texel each, with a padding of " +
                     text(options_.padding) + ", do not fit a tile of " + text(options_.resolution) +
                     waysForTexels());
+  }
+
+  /// Charts that stand upright or lie level are turned askew only where that gains texels.
+  void search() {
+    constexpr double kWorthwhile = 1.04;
+    std::vector<PackItem> held = heldItems();
+    ScaleSearch found = searchFor(items_, 0, held.empty() ? 1 : 0.5);
+    if (!held.empty() && found.best.fit == Fit::All) {
+      ScaleSearch other = searchFor(held, 0.5, 1);
+      other.tries += found.tries;
+      const bool isWorth = found.texelsPerUnit > kWorthwhile * other.texelsPerUnit;
+      if (other.best.fit == Fit::Cancelled || (other.best.fit == Fit::All && !isWorth)) {
+        found = std::move(other);
+        items_ = std::move(held);
+      }
+    }
+    tries_ = found.tries;
+    density_ = found.texelsPerUnit;
+    placed_ = std::move(found.best);
+  }
+
+  /// `from`, `to`: shares of the progress.
+  ScaleSearch searchFor(const std::vector<PackItem>& items, double from, double to) const {
+    ScaleOptions how{options_.work, options_.pool, {}};
+    if (options_.progress)
+      how.progress = [&, from, to](double share) {
+        return options_.progress(from + (to - from) * share);
+      };
+    return searchScale(items, grid_, taken_[0], how);
+  }
+
+  /// The items, of which those that stand upright or lie level are turned by quarters only; empty
+  /// if that is so for all anyway.
+  std::vector<PackItem> heldItems() const {
+    if (options_.rotate != Rotate::Auto) return {};
+    std::vector<PackItem> out = items_;
+    bool isAny = false;
+    for (PackItem& item : out) {
+      if (!item.isLevel && !item.isUpright) continue;
+      isAny = isAny || (item.poses.perQuarter() > 1 && !item.poses.isHeld());
+      item.poses.hold();
+    }
+    if (!isAny) out.clear();
+    return out;
   }
 
   std::string waysForTexels() const {

@@ -31,6 +31,7 @@ class Poses {
 
   /// Keeps only the first pose of each quarter; the others stand for it.
   void hold() { isHeld_ = true; }
+  bool isHeld() const { return isHeld_; }
   /// The pose that this one stands for.
   std::size_t kept(std::size_t i) const { return isHeld_ ? i - i % first_.size() : i; }
 

@@ -1,5 +1,8 @@
 #include "unwrap/rectify.h"
 
+#include <utility>
+
+#include "base/constants.h"
 #include "base/point2.h"
 #include "flatten/rectify_chart.h"
 #include "solve/factor_memory.h"
@@ -12,7 +15,7 @@ namespace abflat {
 namespace {
 
 /// In terms of stretch: an outline that becomes level.
-constexpr double kWorth = 0.02;
+constexpr double kWorth = 0.025;
 
 bool isAsked(const FlatChart& flat, Rectify how) {
   constexpr double kExact = 1e-6;
@@ -34,26 +37,47 @@ std::size_t nearEdges(const DiskChart& chart, const std::vector<double>& unpacke
   return findNearParts(outline, padding).edges.size();
 }
 
-void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options,
-                const RectifyOptions& how, double density, FlatChart& flat) {
-  IdVector<ChartVertex, ChartVertex> former;
-  const DiskChart ordered = set.chartInOrder(i, former);
-  Rectified found = rectified(ordered, inChartUnit(ordered, inOrder(flat.unpacked, former)), how);
-  if (found.uv.empty()) return;
-  for (double& x : found.uv) x *= ordered.unit;
-  std::vector<double> places = inFormerOrder(found.uv, former);
-  const DiskChart chart = set.chart(i);
-  if (!scaleToSurface(chart, places)) return;
+/// Whether the chart takes the places that its outline would have.
+bool take(const DiskChart& chart, std::vector<double> places, double gain,
+          const UnwrapOptions& options, double density, FlatChart& flat) {
+  if (!scaleToSurface(chart, places)) return false;
   const ChartDistortion distortion(measureDistortion(chart, inChartUnit(chart, places)));
   const double more = distortion.symmetricDirichlet - flat.distortion.symmetricDirichlet;
   const bool isWorth =
-      stretchOf(distortion, options) <= options.maxStretch && more <= kWorth * found.gain;
-  if (options.rectify == Rectify::Auto && !isWorth) return;
+      stretchOf(distortion, options) <= options.maxStretch && more <= kWorth * gain;
+  if (options.rectify == Rectify::Auto && !isWorth) return false;
   if (nearEdges(chart, places, density, options.padding) >
       nearEdges(chart, flat.unpacked, density, options.padding))
-    return;
+    return false;
   flat.unpacked = std::move(places);
   flat.distortion = distortion;
+  return true;
+}
+
+/// What to try in turn: where some sides cannot become straight, straighter ones may. That takes
+/// little time for small charts.
+std::vector<LevelLimits> limitsFor(const DiskChart& chart) {
+  constexpr std::uint32_t kSmall = 20000;
+  constexpr double kDegree = kPi / 180;
+  if (chart.triangleCount() > kSmall) return {{}};
+  return {{0.25, 20 * kDegree}, {0.25, 12 * kDegree}, {0.25, 7 * kDegree}};
+}
+
+void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options, RectifyOptions how,
+                double density, FlatChart& flat) {
+  IdVector<ChartVertex, ChartVertex> former;
+  const DiskChart ordered = set.chartInOrder(i, former);
+  const std::vector<double> before = inChartUnit(ordered, inOrder(flat.unpacked, former));
+  std::size_t runs = 0;
+  for (const LevelLimits& limits : limitsFor(ordered)) {
+    how.limits = limits;
+    Rectified found = rectified(ordered, before, how);
+    if (found.runs == 0) return;
+    if (found.runs == std::exchange(runs, found.runs) || found.uv.empty()) continue;
+    for (double& x : found.uv) x *= ordered.unit;
+    if (take(set.chart(i), inFormerOrder(found.uv, former), found.gain, options, density, flat))
+      return;
+  }
 }
 
 }  // namespace

@@ -77,6 +77,14 @@ TEST_CASE("a bent strip is seen as a rectangle", "[rectify]") {
   CHECK(found.before < 0.5);
 }
 
+TEST_CASE("sides that deviate too much are left out", "[rectify]") {
+  const Bent bow = arc(0.6);
+  const LevelRuns found = findLevelRuns(bow.chart, bow.uv, {0.4, 0.02});
+  CHECK(found.runs.size() < 4);
+  CHECK(found.share < 0.5);
+  CHECK(findLevelRuns(bow.chart, bow.uv, {0.999, 0.349}).runs.empty());
+}
+
 TEST_CASE("a bent L has six sides", "[rectify]") {
   const PolygonMesh ell =
       squares(12, 12, [](std::uint32_t i, std::uint32_t j) { return i < 4 || j < 5; });
