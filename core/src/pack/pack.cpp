@@ -248,15 +248,16 @@ class Packer {
   /// The items, of which those that stand upright or lie level are turned by quarters only; empty
   /// if that is so for all anyway.
   std::vector<PackItem> heldItems() const {
-    if (options_.rotate != Rotate::Auto) return {};
+    const auto isHeld = [&](const PackItem& item) {
+      return options_.rotate == Rotate::Auto && (item.isLevel || item.isUpright);
+    };
+    const auto changes = [&](const PackItem& item) {
+      return isHeld(item) && item.poses.perQuarter() > 1 && !item.poses.isHeld();
+    };
+    if (std::none_of(items_.begin(), items_.end(), changes)) return {};
     std::vector<PackItem> out = items_;
-    bool isAny = false;
-    for (PackItem& item : out) {
-      if (!item.isLevel && !item.isUpright) continue;
-      isAny = isAny || (item.poses.perQuarter() > 1 && !item.poses.isHeld());
-      item.poses.hold();
-    }
-    if (!isAny) out.clear();
+    for (PackItem& item : out)
+      if (isHeld(item)) item.poses.hold();
     return out;
   }
 
