@@ -31,7 +31,7 @@ inline const char* nameOf(FillHoles code) {
 
 /// What automatic seams are to have little of.
 enum class SeamCosts : int {
-  Sight = 0,  ///< how much they are in sight: creases hide seams, flat faces do not
+  Sight = 0,  ///< how much they are in sight: creases hide seams, flat faces and the face of a figure do not
   Length = 1,  ///< their length alone, as papers and patterns have it
 };
 
@@ -178,7 +178,7 @@ struct UnwrapOptionValues {
   bool orient = false;
   /// whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches
   FillHoles fillHoles = FillHoles::Auto;
-  /// what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces do not; length = their length alone, as papers and patterns have it
+  /// what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces and the face of a figure do not; length = their length alone, as papers and patterns have it
   SeamCosts seamCosts = SeamCosts::Sight;
   /// whether automatic seams of a symmetric mesh are symmetric; parts without a mirror image do not matter: auto = symmetric unless that makes seams more than a tenth costlier; never = place each seam where it is best for its own side; always = symmetric whatever that costs
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
@@ -219,7 +219,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"balance", "--balance", "0.2", "at least 0 and at most 1", "trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)", false, false},
     {"orient", "--orient", "false", "", "turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are", true, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches", false, true},
-    {"seamCosts", "--seam-costs", "sight", "sight, length", "what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces do not; length = their length alone, as papers and patterns have it", false, true},
+    {"seamCosts", "--seam-costs", "sight", "sight, length", "what automatic seams are to have little of: sight = how much they are in sight: creases hide seams, flat faces and the face of a figure do not; length = their length alone, as papers and patterns have it", false, true},
     {"symmetricSeams", "--symmetric-seams", "auto", "auto, never, always", "whether automatic seams of a symmetric mesh are symmetric; parts without a mirror image do not matter: auto = symmetric unless that makes seams more than a tenth costlier; never = place each seam where it is best for its own side; always = symmetric whatever that costs", false, true},
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved", true, false},
