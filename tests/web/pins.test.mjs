@@ -258,8 +258,10 @@ test('pins stay on their vertices when the atlas has other tiles', async (t) => 
   await page.mouse.move(0, 0);
   await drawn(page);
   // Without what lies on it, whose round corners are not the same to the last bit.
-  const style = '#pins { visibility: hidden }';
-  const picture = () => page.locator('#layout-canvas').screenshot({ style });
+  await page.evaluate(() => {
+    document.querySelector('#pins').style.visibility = 'hidden';
+  });
+  const picture = () => page.locator('#layout-canvas').screenshot();
   const shown = await picture();
   // Drawn anew they are in the same places.
   for (let i = 0; i < 2; i++) await page.evaluate(() => document.querySelector('#pin').click());
