@@ -21,7 +21,7 @@ struct Bends {
 /// Where parts are put together from flat faces, creases say where seams are hidden. Where hardly
 /// anything is hollow, or it is everywhere alike, there is no front.
 bool hasFront(const Bends& b) {
-  constexpr double kMostSharp = 0.65, kLeastConcave = 0.2, kLeastOneWay = 0.1;
+  constexpr double kMostSharp = 0.65, kLeastConcave = 0.18, kLeastOneWay = 0.1;
   const double ball = std::sqrt(16 * kPi);  // sum of a ball's bends, over the root of its area
   return b.all > ball * std::sqrt(b.area) && b.sharp < kMostSharp * b.all &&
          b.concave > kLeastConcave * b.all && norm(b.open) > kLeastOneWay * b.concave;

@@ -15,6 +15,7 @@
 #include "mesh/notches.h"
 #include "mesh/surface_map.h"
 #include "mesh/triangle_geometry.h"
+#include "seam/given_seams.h"
 #include "seam/hard_edges.h"
 #include "seam/scale_seams.h"
 #include "seam/vary_costs.h"
