@@ -100,4 +100,14 @@ IdVector<SurfaceCorner, double> findFront(const SeamMesh& mesh,
   return FrontFinder(mesh, bend).find(upAxis);
 }
 
+double shareInFront(const SeamMesh& mesh) {
+  double all = 0, inFront = 0;
+  for (const SurfaceTriangle f : mesh.triangles()) {
+    all += mesh.area[f];
+    for (const SurfaceCorner h : cornersOf(f))
+      if (mesh.dearnessAt(h) > 1) inFront += mesh.area[f] / 3;
+  }
+  return all > 0 ? inFront / all : 0;
+}
+
 }  // namespace abflat

@@ -12,4 +12,7 @@ IdVector<SurfaceCorner, double> findFront(const SeamMesh& mesh,
                                           const IdVector<SurfaceCorner, double>& bend,
                                           std::size_t upAxis);
 
+/// Share of the surface where seams are dearer because it is in a front.
+double shareInFront(const SeamMesh& mesh);
+
 }  // namespace abflat

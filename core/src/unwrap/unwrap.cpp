@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "chart/chart_set.h"
+#include "cut/front.h"
 #include "mesh/notches.h"
 #include "mesh/surface_map.h"
 #include "mesh/triangle_geometry.h"
@@ -171,7 +172,7 @@ class Unwrapping {
         uncut(), asked_, {}, options_, *pool_, [&] { return monitor_.tell(kSeams, search.next()); },
         report_.seams);
     if (canCut(options_) && fixed_.isFixed.empty())
-      variants_ = variantsWorth(surface_.table.triangles().size(), !open_.mesh.dearness.empty());
+      variants_ = variantsWorth(surface_.table.triangles().size(), shareInFront(open_.mesh));
     if (variants_.empty()) surface_.fans = Fans();
     monitor_.tellAgain();
     if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);

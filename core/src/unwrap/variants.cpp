@@ -133,11 +133,12 @@ void takeSeams(const CutSurface& whole, const IdVector<CutChartId, std::uint8_t>
 
 }  // namespace
 
-std::vector<int> variantsWorth(std::size_t triangles, bool hasFront) {
+std::vector<int> variantsWorth(std::size_t triangles, double inFront) {
   constexpr std::size_t kTriangles = 20000;        // about half a second
   constexpr std::size_t kMostWithFront = 120'000;  // about three seconds for each
+  constexpr double kLeastInFront = 0.02;           // less is not what people look at
   std::vector<int> out;
-  if (hasFront && triangles <= kMostWithFront)
+  if (inFront >= kLeastInFront && triangles <= kMostWithFront)
     for (int k = 1; k <= kFrontVariants; ++k) out.push_back(kCostVariants + k);
   const std::size_t others = triangles == 0 ? 0 : kTriangles / triangles;
   for (int k = 1; k <= static_cast<int>(std::min<std::size_t>(others, kCostVariants)); ++k)

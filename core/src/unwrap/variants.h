@@ -18,9 +18,8 @@ struct FlatCut {
 double costOf(const UnwrapOptionValues& options, FlatCut& cut);
 
 /// The costs of further searches for the seams of a surface that are worth their time, which grows
-/// with the number of its triangles; see varyCosts. `hasFront`: whether people look at a side of
-/// it.
-std::vector<int> variantsWorth(std::size_t triangles, bool hasFront);
+/// with the number of its triangles; see varyCosts. `inFront`: share of it, see shareInFront.
+std::vector<int> variantsWorth(std::size_t triangles, double inFront);
 
 /// Whether no other search would be listened to, since all components nearly unroll.
 bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut);

@@ -81,5 +81,9 @@ TEST_CASE("seams in the front are three times as dear", "[seams]") {
   const auto [least, most] = std::minmax_element(mesh.dearness.begin(), mesh.dearness.end());
   CHECK(*least == 1);
   CHECK(*most == kDearInFront);
-  CHECK(Cuttable(ball, SeamCosts::Length).seamMesh.dearness.empty());
+  CHECK(shareInFront(mesh) > 0.1);
+  CHECK(shareInFront(mesh) < 0.5);
+  const SeamMesh other = Cuttable(ball, SeamCosts::Length).seamMesh;
+  CHECK(other.dearness.empty());
+  CHECK(shareInFront(other) == 0);
 }

@@ -98,9 +98,9 @@ TEST_CASE("what unrolls is not cut in another way", "[unwrap]") {
 }
 
 TEST_CASE("the larger a surface, the fewer searches", "[unwrap]") {
-  CHECK(variantsWorth(0, false).empty());
-  CHECK(variantsWorth(100, false).size() > variantsWorth(6000, false).size());
-  CHECK(variantsWorth(50'000, false).empty());
-  CHECK(variantsWorth(50'000, true).size() == kFrontVariants);
-  CHECK(variantsWorth(1'000'000, true).empty());
+  CHECK(variantsWorth(0, 0).empty());
+  CHECK(variantsWorth(100, 0).size() > variantsWorth(6000, 0).size());
+  CHECK(variantsWorth(50'000, 0.001).empty());
+  CHECK(variantsWorth(50'000, 0.1).size() == kFrontVariants);
+  CHECK(variantsWorth(1'000'000, 0.1).empty());
 }
