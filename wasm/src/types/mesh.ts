@@ -28,8 +28,8 @@ export interface MeshArrays {
    */
   texcoords?: RealArray;
   /**
-   * Shading normals, 3 per vertex and of any length: for seams `'hard'` and `'auto'`. 0 for a vertex without
-   * any, which then has those of its triangles.
+   * Shading normals, 3 per vertex and of any length: for seams `'hard'` and `'auto'`. 0 for a
+   * vertex without any, which then has those of its triangles.
    */
   normals?: RealArray;
   /** The same with 3 per corner of a triangle, in place of `normals`. */
