@@ -31,6 +31,13 @@ IdVector<SurfaceTriangle, double> sizes(const SeamMesh& mesh) {
   return out;
 }
 
+bool isConcave(const SeamMesh& m, SurfaceCorner h) {
+  const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, triangleOf(h));
+  const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
+  const SurfaceCorner apex = prevCorner(m.twin[h]);
+  return dot(edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[apex]), n) > 0;
+}
+
 void add(const Vec3& n, double times, Vec3& sum) {
   for (std::size_t d = 0; d < 3; ++d) sum[d] += times * n[d];
 }
@@ -119,7 +126,8 @@ IdVector<SurfaceCorner, double> edgeBends(const SeamMesh& mesh, const Pulse& pul
     const double width = kWidth * size[triangleOf(h)];
     const double own = angleBetween(walker.at(h), walker.at(o));
     const double wide = angleBetween(walker.beside(h, width), walker.beside(o, width));
-    out[h] = out[o] = std::min(wide, kTimesOwn * own) + kOfNarrow * std::max(0.0, own - wide);
+    const double bend = std::min(wide, kTimesOwn * own) + kOfNarrow * std::max(0.0, own - wide);
+    out[h] = out[o] = isConcave(mesh, h) ? -bend : bend;
     pulse.beat();
   }
   return out;

@@ -66,10 +66,10 @@ class FrontFinder {
       Bends& b = bendsAt(h);
       b.area += mesh_.area[triangleOf(h)] / 3;
       if (!mesh_.twin[h].exists() || mesh_.twin[h] < h) continue;
-      const double turn = bend_[h] * mesh_.length[h];
+      const double turn = std::abs(bend_[h]) * mesh_.length[h];
       b.all += turn;
-      if (bend_[h] > kSharp) b.sharp += turn;
-      if (!isConcave(mesh_, h)) continue;
+      if (std::abs(bend_[h]) > kSharp) b.sharp += turn;
+      if (!(bend_[h] < 0)) continue;
       b.concave += turn;
       const Vec3 n = facing(h);
       for (std::size_t d = 0; d < 3; ++d)

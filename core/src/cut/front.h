@@ -7,7 +7,7 @@ namespace abflat {
 /// How far each edge is in the front of its component, from 0 to 1: where people look, as at a
 /// face. The front faces the level direction in which most hollows open, such as eye sockets, the
 /// sides of a nose and a mouth. Empty if no component has a front.
-/// `bend`: from edgeBends; `upAxis`: the coordinate that points up.
+/// `bend`: see edgeBends; `upAxis`: the coordinate that points up.
 IdVector<SurfaceCorner, double> findFront(const SeamMesh& mesh,
                                           const IdVector<SurfaceCorner, double>& bend,
                                           std::size_t upAxis);

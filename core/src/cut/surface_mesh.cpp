@@ -90,8 +90,11 @@ void measureTriangle(SeamMesh& m, SurfaceTriangle f, IdVector<SurfaceCorner, dou
 
 /// Cost of a seam where the surface bends that much, relative to its length. Nothing hides a seam
 /// in a flat face; a crease does, a concave one better. Where shading breaks, there is a crease,
-/// and where the material changes, the textures do not continue anyway.
-double costWhere(double bend, bool isConcave, std::uint8_t breaks) {
+/// and where the material changes, the textures do not continue anyway. `signedBend`: see
+/// edgeBends.
+double costWhere(double signedBend, std::uint8_t breaks) {
+  const bool isConcave = signedBend < 0;
+  double bend = std::abs(signedBend);
   constexpr double kDegree = kPi / 180;
   constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree,
                    kSharp = 75 * kDegree;
@@ -132,18 +135,11 @@ void hideSeams(SeamMesh& m, std::size_t upAxis, const Pulse& pulse) {
     const SurfaceCorner o = m.twin[h];
     if (o.exists() && h < o)
       m.cost[h] = m.cost[o] =
-          inFewBits(m.length[h] * m.dearnessAt(h) * costWhere(bend[h], isConcave(m, h), breaks(h)));
+          inFewBits(m.length[h] * m.dearnessAt(h) * costWhere(bend[h], breaks(h)));
   }
 }
 
 }  // namespace
-
-bool isConcave(const SeamMesh& m, SurfaceCorner h) {
-  const std::array<std::uint32_t, 3> v = verticesOf(m.vertexOfCorner, triangleOf(h));
-  const Vec3 n = cross(edgeVector(m.positions, v[0], v[1]), edgeVector(m.positions, v[0], v[2]));
-  const SurfaceCorner apex = prevCorner(m.twin[h]);
-  return dot(edgeVector(m.positions, m.vertexOfCorner[h], m.vertexOfCorner[apex]), n) > 0;
-}
 
 double SeamMesh::totalArea() const {
   double sum = 0;

@@ -87,9 +87,6 @@ using LogScales = IdVector<SurfaceVertex, double>;
 /// The rank of each vertex in an elimination order. The ranks of a mesh also suit any part of it.
 using EliminationRanks = IdVector<SurfaceVertex, std::uint32_t>;
 
-/// Whether the surface is hollow along an edge between two triangles.
-bool isConcave(const SeamMesh& mesh, SurfaceCorner h);
-
 /// `positions` are those of the input vertices that fans.inputVertex refers to, finite.
 /// `isDiagonal` is empty if all faces are triangles. `scale` is given per triangle if there are
 /// several scales, which share no fan and have a grid each; otherwise it is empty. `upAxis`: the
