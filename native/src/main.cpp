@@ -1,4 +1,5 @@
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -6,6 +7,10 @@
 #include "commands/commands.h"
 #include "files/out_of_memory.h"
 #include "terminal/terminal.h"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace abflat::cli {
 namespace {
@@ -26,6 +31,16 @@ int ended(const Status& status) {
   return exitCodeOf(status.code);
 }
 
+/// Large arrays come and go. Given back to the system each time, their pages would be cleared each
+/// time as well, a tenth of all work on large meshes.
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  constexpr int kMostKept = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, kMostKept);
+  mallopt(M_TRIM_THRESHOLD, kMostKept);
+#endif
+}
+
 }  // namespace
 }  // namespace abflat::cli
 
@@ -35,6 +50,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   // So does a file that grows beyond the user's limits.
   std::signal(SIGXFSZ, SIG_IGN);
+  cli::keepFreedMemory();
   try {
     return std::visit(cli::Runner{}, cli::parseArguments(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/disjoint_sets.h"
+#include "cut/mesh_parts.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -19,15 +19,10 @@ constexpr double kTimesOwn = 2, kOfNarrow = 0.3;
 
 /// For each triangle the root of its component's area.
 IdVector<SurfaceTriangle, double> sizes(const SeamMesh& mesh) {
-  DisjointSets parts(mesh.triangleCount());
-  for (const SurfaceCorner h : mesh.corners())
-    if (const SurfaceCorner o = mesh.twin[h]; o > h && o.exists())
-      parts.join(triangleOf(h), triangleOf(o));
+  const IdVector<SurfaceTriangle, SurfaceTriangle> component = componentsOf(mesh);
   IdVector<SurfaceTriangle, double> area(mesh.triangleCount(), 0), out;
-  for (const SurfaceTriangle f : mesh.triangles())
-    area[SurfaceTriangle(parts.leastOf(f))] += mesh.area[f];
-  for (const SurfaceTriangle f : mesh.triangles())
-    out.push_back(std::sqrt(area[SurfaceTriangle(parts.leastOf(f))]));
+  for (const SurfaceTriangle f : mesh.triangles()) area[component[f]] += mesh.area[f];
+  for (const SurfaceTriangle f : mesh.triangles()) out.push_back(std::sqrt(area[component[f]]));
   return out;
 }
 
@@ -44,10 +39,7 @@ void add(const Vec3& n, double times, Vec3& sum) {
 
 class Walker {
  public:
-  explicit Walker(const SeamMesh& mesh) : mesh_(mesh) {
-    for (const SurfaceTriangle f : mesh.triangles())
-      normal_.push_back(unitNormal(mesh.positions, verticesOf(mesh.vertexOfCorner, f)));
-  }
+  explicit Walker(const SeamMesh& mesh) : mesh_(mesh), normal_(triangleNormals(mesh)) {}
 
   const Vec3& at(SurfaceCorner h) const { return normal_[triangleOf(h)]; }
 

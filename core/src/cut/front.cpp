@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/constants.h"
-#include "base/disjoint_sets.h"
 #include "base/few_bits.h"
 #include "base/smooth_step.h"
+#include "cut/mesh_parts.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -30,13 +30,11 @@ bool hasFront(const Bends& b) {
 class FrontFinder {
  public:
   FrontFinder(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& bend)
-      : mesh_(mesh), bend_(bend), parts_(mesh.triangleCount()) {
-    for (const SurfaceCorner h : mesh.corners())
-      if (const SurfaceCorner o = mesh.twin[h]; o > h && o.exists())
-        parts_.join(triangleOf(h), triangleOf(o));
-    for (const SurfaceTriangle f : mesh.triangles())
-      normal_.push_back(unitNormal(mesh.positions, verticesOf(mesh.vertexOfCorner, f)));
-  }
+      : mesh_(mesh),
+        bend_(bend),
+        component_(componentsOf(mesh)),
+        normal_(triangleNormals(mesh)),
+        ofComponent_(mesh.triangleCount()) {}
 
   IdVector<SurfaceCorner, double> find(std::size_t upAxis) {
     addBends(upAxis);
@@ -55,13 +53,10 @@ class FrontFinder {
   }
 
  private:
-  Bends& bendsAt(SurfaceCorner h) {
-    return ofPart_[SurfaceTriangle(parts_.leastOf(triangleOf(h)))];
-  }
+  Bends& bendsAt(SurfaceCorner h) { return ofComponent_[component_[triangleOf(h)]]; }
 
   void addBends(std::size_t upAxis) {
     constexpr double kSharp = 35 * kPi / 180;
-    ofPart_.resize(mesh_.triangleCount());
     for (const SurfaceCorner h : mesh_.corners()) {
       Bends& b = bendsAt(h);
       b.area += mesh_.area[triangleOf(h)] / 3;
@@ -87,9 +82,9 @@ class FrontFinder {
 
   const SeamMesh& mesh_;
   const IdVector<SurfaceCorner, double>& bend_;
-  DisjointSets parts_;
+  IdVector<SurfaceTriangle, SurfaceTriangle> component_;
   IdVector<SurfaceTriangle, Vec3> normal_;
-  IdVector<SurfaceTriangle, Bends> ofPart_;  ///< at the least triangle of each component
+  IdVector<SurfaceTriangle, Bends> ofComponent_;  ///< at the least triangle of each
 };
 
 }  // namespace

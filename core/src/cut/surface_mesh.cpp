@@ -124,18 +124,19 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
 }
 
 /// Costs by how much seams are in sight.
-void hideSeams(SeamMesh& m, std::size_t upAxis, const Pulse& pulse) {
+void hideSeams(SeamMesh& m, const IdVector<SurfaceCorner, std::uint8_t>& breaks, std::size_t upAxis,
+               const Pulse& pulse) {
   const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
   m.dearness = findFront(m, bend, upAxis);
   for (double& x : m.dearness) x = 1 + (kDearInFront - 1) * x;
-  const auto breaks = [&](SurfaceCorner h) {
-    return h < m.breaks.size() ? m.breaks[h] : std::uint8_t(0);
+  const auto breaksAt = [&](SurfaceCorner h) {
+    return h < breaks.size() ? breaks[h] : std::uint8_t(0);
   };
   for (const SurfaceCorner h : m.corners()) {
     const SurfaceCorner o = m.twin[h];
     if (o.exists() && h < o)
       m.cost[h] = m.cost[o] =
-          inFewBits(m.length[h] * m.dearnessAt(h) * costWhere(bend[h], breaks(h)));
+          inFewBits(m.length[h] * m.dearnessAt(h) * costWhere(bend[h], breaksAt(h)));
   }
 }
 
@@ -160,7 +161,6 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
                       const IdVector<SurfaceCorner, std::uint8_t>& breaks, SeamCosts costs,
                       std::size_t upAxis, const Pulse& pulse) {
   SeamMesh m;
-  m.breaks = breaks;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
   m.positions = inUnitCube(positions, fans, scale);
@@ -176,7 +176,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
     pulse.beat();
   }
   weighEdges(m, cotangent);
-  if (costs == SeamCosts::Sight) hideSeams(m, upAxis, pulse);
+  if (costs == SeamCosts::Sight) hideSeams(m, breaks, upAxis, pulse);
   pulse.beat(corners);
   for (const SurfaceCorner h : isDiagonal.ids())
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();

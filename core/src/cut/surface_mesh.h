@@ -42,9 +42,6 @@ struct SeamMesh {
   /// By how much cost is higher than it would be elsewhere; empty: 1. Edges of triangles that fill
   /// holes may be missing.
   IdVector<SurfaceCorner, double> dearness;
-  /// kHardEdge and kMaterialBorder, as far as the file has them; empty if it has neither. Edges of
-  /// triangles that fill holes may be missing.
-  IdVector<SurfaceCorner, std::uint8_t> breaks;
   IdVector<SurfaceCorner, double> weight;  ///< cotangent of the edge, positive; equal to its twin's
   IdVector<SurfaceVertex, double> vertexArea;  ///< a third of the area of the triangles around it
   IdVector<SurfaceVertex, double> angleSum;
@@ -89,8 +86,9 @@ using EliminationRanks = IdVector<SurfaceVertex, std::uint32_t>;
 
 /// `positions` are those of the input vertices that fans.inputVertex refers to, finite.
 /// `isDiagonal` is empty if all faces are triangles. `scale` is given per triangle if there are
-/// several scales, which share no fan and have a grid each; otherwise it is empty. `upAxis`: the
-/// coordinate that points up.
+/// several scales, which share no fan and have a grid each; otherwise it is empty. `breaks`:
+/// kHardEdge and kMaterialBorder, as far as the file has them; empty if it has neither, and edges
+/// of triangles that fill holes may be missing. `upAxis`: the coordinate that points up.
 SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& table,
                       const Fans& fans,
                       const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal = {},

@@ -10,8 +10,8 @@
 #include "base/number_text.h"
 #include "base/stopwatch.h"
 #include "pack/level_pose.h"
-#include "pack/scale_search.h"
 #include "pack/strategies.h"
+#include "pack/tidy_search.h"
 
 namespace abflat {
 namespace {
@@ -216,49 +216,14 @@ class Packer {
                     waysForTexels());
   }
 
-  /// Charts that stand upright or lie level are turned askew only where that gains texels.
   void search() {
-    constexpr double kWorthwhile = 1.04;
-    std::vector<PackItem> held = heldItems();
-    ScaleSearch found = searchFor(items_, 0, held.empty() ? 1 : 0.5);
-    if (!held.empty() && found.best.fit == Fit::All) {
-      ScaleSearch other = searchFor(held, 0.5, 1);
-      other.tries += found.tries;
-      const bool isWorth = found.texelsPerUnit > kWorthwhile * other.texelsPerUnit;
-      if (other.best.fit == Fit::Cancelled || (other.best.fit == Fit::All && !isWorth)) {
-        found = std::move(other);
-        items_ = std::move(held);
-      }
-    }
+    const ScaleOptions how{options_.work, options_.pool, options_.progress};
+    ScaleSearch found = options_.rotate == Rotate::Auto
+                            ? searchTidyScale(items_, grid_, taken_[0], how)
+                            : searchScale(items_, grid_, taken_[0], how);
     tries_ = found.tries;
     density_ = found.texelsPerUnit;
     placed_ = std::move(found.best);
-  }
-
-  /// `from`, `to`: shares of the progress.
-  ScaleSearch searchFor(const std::vector<PackItem>& items, double from, double to) const {
-    ScaleOptions how{options_.work, options_.pool, {}};
-    if (options_.progress)
-      how.progress = [&, from, to](double share) {
-        return options_.progress(from + (to - from) * share);
-      };
-    return searchScale(items, grid_, taken_[0], how);
-  }
-
-  /// The items, of which those that stand upright or lie level are turned by quarters only; empty
-  /// if that is so for all anyway.
-  std::vector<PackItem> heldItems() const {
-    const auto isHeld = [&](const PackItem& item) {
-      return options_.rotate == Rotate::Auto && (item.isLevel || item.isUpright);
-    };
-    const auto changes = [&](const PackItem& item) {
-      return isHeld(item) && item.poses.perQuarter() > 1 && !item.poses.isHeld();
-    };
-    if (std::none_of(items_.begin(), items_.end(), changes)) return {};
-    std::vector<PackItem> out = items_;
-    for (PackItem& item : out)
-      if (isHeld(item)) item.poses.hold();
-    return out;
   }
 
   std::string waysForTexels() const {

@@ -1,11 +1,37 @@
 #include "seam/extract_charts.h"
 
 namespace abflat {
+namespace {
+
+void reserve(SeamPart& part, std::size_t triangles, std::size_t vertices) {
+  SeamMesh& m = part.mesh;
+  m.area.reserve(triangles);
+  m.positions.reserve(3 * vertices);
+  m.vertexArea.reserve(vertices);
+  m.angleSum.reserve(vertices);
+  part.wholeVertex.reserve(vertices);
+  part.wholeHalfEdge.reserve(3 * triangles);
+  m.vertexOfCorner.reserve(3 * triangles);
+  m.twin.reserve(3 * triangles);
+  m.angle.reserve(3 * triangles);
+  m.length.reserve(3 * triangles);
+  m.cost.reserve(3 * triangles);
+  m.weight.reserve(3 * triangles);
+}
+
+}  // namespace
 
 SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
                        const IdVector<CutChartId, std::uint8_t>& isWanted, const Pulse& pulse) {
   SeamPart part;
   SeamMesh& m = part.mesh;
+  std::size_t triangles = 0, vertices = 0;
+  for (const CutChartId c : s.charts.ids())
+    if (isWanted[c]) {
+      triangles += s.charts[c].triangles;
+      vertices += s.charts[c].vertices;
+    }
+  reserve(part, triangles, vertices);
   IdVector<OpenVertex, SurfaceVertex> vertex(s.vertexCount());
   IdVector<SurfaceCorner, SurfaceCorner> inPart(s.twin.size());
   for (const SurfaceTriangle f : mesh.triangles()) {
@@ -32,7 +58,6 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     m.length.push_back(mesh.length[h]);
     m.cost.push_back(mesh.cost[h]);
     if (!mesh.dearness.empty()) m.dearness.push_back(mesh.dearnessAt(h));
-    if (!mesh.breaks.empty()) m.breaks.push_back(h < mesh.breaks.size() ? mesh.breaks[h] : 0);
     m.weight.push_back(mesh.weight[h]);
     m.vertexArea[vertex[v]] += mesh.area[triangleOf(h)] / 3;
     m.angleSum[vertex[v]] += mesh.angle[h];

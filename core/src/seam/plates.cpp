@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/stable_order.h"
+#include "cut/mesh_parts.h"
 #include "mesh/triangle_geometry.h"
 
 namespace abflat {
@@ -14,9 +15,8 @@ using RegionId = Id<struct RegionIdTag>;
 
 class Regions {
  public:
-  explicit Regions(const SeamMesh& mesh) : mesh_(mesh), ofTriangle_(mesh.triangleCount()) {
-    for (const SurfaceTriangle f : mesh.triangles())
-      normal_.push_back(unitNormal(mesh.positions, verticesOf(mesh.vertexOfCorner, f)));
+  explicit Regions(const SeamMesh& mesh)
+      : mesh_(mesh), normal_(triangleNormals(mesh)), ofTriangle_(mesh.triangleCount()) {
     for (const SurfaceTriangle f : mesh.triangles())
       if (!ofTriangle_[f].exists() && !mesh.isFilling(f)) spread(f);
   }

@@ -1,11 +1,11 @@
 #include "seam/vary_costs.h"
 
 #include "base/few_bits.h"
+#include "cut/mesh_parts.h"
 #include "mesh/triangle_geometry.h"
 #include "seam/principal_axes.h"
 
 namespace abflat {
-
 namespace {
 
 void makeFrontDearer(int variant, SeamMesh& mesh) {
@@ -32,8 +32,7 @@ void varyCosts(int variant, SeamMesh& mesh) {
   const Vec3 axis = principalAxes(mesh).axes[static_cast<std::size_t>((variant - 1) % kAxes)];
   const double weight = variant > kAxes ? -kMost : kMost;
   IdVector<SurfaceTriangle, double> factor;
-  for (const SurfaceTriangle f : mesh.triangles()) {
-    const Vec3 normal = unitNormal(mesh.positions, verticesOf(mesh.vertexOfCorner, f));
+  for (const Vec3& normal : triangleNormals(mesh)) {
     const double along = dot(axis, normal);
     factor.push_back(1 + weight * (along * along - kMean));
   }

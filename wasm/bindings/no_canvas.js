@@ -1,0 +1,8 @@
+// The runtime of threads can hand calls for canvases to the main thread. Nothing here has a canvas,
+// so what would serve them is left out.
+mergeInto(LibraryManager.library, {
+  emscripten_set_canvas_element_size__deps: [],
+  emscripten_set_canvas_element_size: () => {},
+  emscripten_webgl_create_context__deps: [],
+  emscripten_webgl_create_context: () => {},
+});
