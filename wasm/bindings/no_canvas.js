@@ -2,7 +2,7 @@
 // so what would serve them is left out.
 mergeInto(LibraryManager.library, {
   emscripten_set_canvas_element_size__deps: [],
-  emscripten_set_canvas_element_size: () => {},
+  emscripten_set_canvas_element_size: () => -1,
   emscripten_webgl_create_context__deps: [],
-  emscripten_webgl_create_context: () => {},
+  emscripten_webgl_create_context: () => 0,
 });
