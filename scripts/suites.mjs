@@ -120,6 +120,7 @@ export const SUITES = [
   node('native', [program]),
   node('faults', [program]),
   node('fuzz', [program], { what: 'random meshes' }),
+  node('consumers', [], { what: 'projects that use the library', kind: WITHOUT }),
   node('bench', [program, buildBench]),
   node('wasm', [program, buildWasm]),
   browser(

@@ -18,11 +18,12 @@ export async function cmakeBuild(name, options = {}) {
   const { wrapper = [], settings = {}, first = {}, env = {}, targets = [] } = options;
   const folder = join(BUILD, name);
   const isNew = !isConfigured(folder);
+  const wanted = { ABFLAT_WERROR: 'ON', ...settings };
   // CMake rejects a folder that was configured elsewhere or only partly.
   if (isNew) rmSync(folder, { recursive: true, force: true });
-  if (isNew || !holds(folder, settings)) {
+  if (isNew || !holds(folder, wanted)) {
     const generator = isNew ? ['-G', which('ninja') ? 'Ninja' : 'Unix Makefiles'] : [];
-    const variables = Object.entries({ ...(isNew ? first : {}), ...settings });
+    const variables = Object.entries({ ...(isNew ? first : {}), ...wanted });
     const defines = variables.map(([key, value]) => `-D${key}=${value}`);
     const command = [...wrapper, 'cmake', '-S', ROOT, '-B', folder, ...generator, ...defines];
     await mustRun(command[0], command.slice(1), { env });

@@ -124,8 +124,8 @@ test('help of sample lists the samples', async () => {
 });
 
 test('the version is that of the build', async () => {
-  const cmake = readFileSync(join(ROOT, 'CMakeLists.txt'), 'utf8');
-  const version = cmake.match(/project\(abflat VERSION (\S+)/)[1];
+  const header = readFileSync(join(ROOT, 'core/include/abflat/version.h'), 'utf8');
+  const version = header.match(/ABFLAT_VERSION "(\S+)"/)[1];
   assert.equal((await runAbflat(['--version'])).stdout, `abflat ${version}\n`);
 });
 

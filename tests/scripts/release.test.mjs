@@ -10,8 +10,8 @@ import { ROOT } from '../../scripts/lib/paths.mjs';
 const read = (path) => readFileSync(join(ROOT, path), 'utf8');
 
 test('the version is the same for C++ and npm', () => {
-  const cmake = read('CMakeLists.txt').match(/^project\(abflat VERSION (\S+)/m)?.[1];
-  assert.equal(JSON.parse(read('wasm/package.json')).version, cmake);
+  const header = read('core/include/abflat/version.h').match(/ABFLAT_VERSION "(\S+)"/)?.[1];
+  assert.equal(JSON.parse(read('wasm/package.json')).version, header);
 });
 
 test('every product carries the licences of what is in it', () => {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "abflat/version.h"
 #include "gltf/container.h"
 #include "gltf/edit.h"
 #include "gltf/uri.h"

@@ -2,6 +2,7 @@
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "abflat/unwrap.h"
+#include "abflat/version.h"
 #include "report/field_writer.h"
 
 namespace abflat {

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "abflat/generated/status_code.h"
+#include "abflat/version.h"
 #include "arguments/options.h"
 #include "arguments/subcommands.h"
 #include "terminal/terminal.h"

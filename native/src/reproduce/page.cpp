@@ -1,5 +1,7 @@
 #include "reproduce/page.h"
 
+#include "abflat/version.h"
+
 namespace abflat::cli {
 namespace {
 

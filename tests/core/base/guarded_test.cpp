@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "abflat/abflat.h"
 #include "abflat/compare.h"
 #include "abflat/draw.h"
 #include "abflat/flatten.h"
@@ -162,12 +163,30 @@ TEST_CASE("public functions report lack of memory, leak nothing and work again")
   SECTION("compare") {
     checkWithLittleMemory([&] { return ended(compare(mesh, {}).status, ""); });
   }
+  SECTION("for C") {
+    const abflat_mesh triangles = {
+        mesh.positions.data(),       0, 0, mesh.vertexCount(), mesh.faceVertices.data(),
+        mesh.faceVertices.size() / 3};
+    checkWithLittleMemory([&] {
+      abflat_result* result = nullptr;
+      const int status = abflat_unwrap(&triangles, nullptr, nullptr, nullptr, &result);
+      std::size_t count = 0;
+      const double* const uv = result ? abflat_uv(result, &count) : nullptr;
+      const auto* const bytes = reinterpret_cast<const char*>(uv);
+      const Ended out = ended({static_cast<StatusCode>(status), {}},
+                              std::string_view(bytes, 2 * count * sizeof(double)));
+      abflat_free_result(result);
+      return out;
+    });
+  }
+#if ABFLAT_DRAWING
   SECTION("pictures") {
     checkWithLittleMemory([&] {
       const Result<std::string> png = atlasPng(mesh, atlas.value);
       return ended(png.status, png.value);
     });
   }
+#endif
 }
 
 }  // namespace abflat

@@ -11,17 +11,18 @@ using namespace abflat;
 namespace {
 
 using Point = std::array<long long, 2>;
+__extension__ using Wide = __int128;
 
 /// The determinant in integers; coordinates up to 2^28 fit into 128 bits.
 int exactInCircle(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const auto relative = [&](const Point& p, int i) { return static_cast<__int128>(p[i] - d[i]); };
+  const auto relative = [&](const Point& p, int i) { return static_cast<Wide>(p[i] - d[i]); };
   const auto lift = [&](const Point& p) {
     return relative(p, 0) * relative(p, 0) + relative(p, 1) * relative(p, 1);
   };
   const auto minor = [&](const Point& p, const Point& q) {
     return relative(p, 0) * relative(q, 1) - relative(p, 1) * relative(q, 0);
   };
-  const __int128 det = lift(a) * minor(b, c) + lift(b) * minor(c, a) + lift(c) * minor(a, b);
+  const Wide det = lift(a) * minor(b, c) + lift(b) * minor(c, a) + lift(c) * minor(a, b);
   return (det > 0) - (det < 0);
 }
 

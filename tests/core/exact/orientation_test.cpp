@@ -33,8 +33,9 @@ TEST_CASE("orientation agrees with integer arithmetic") {
     const long long m = small(random);
     p[4] = p[0] + m * (p[2] - p[0]) / 2 + small(random) % 2;
     p[5] = p[1] + m * (p[3] - p[1]) / 2 + small(random) % 2;
-    const __int128 det = static_cast<__int128>(p[2] - p[0]) * (p[5] - p[1]) -
-                         static_cast<__int128>(p[3] - p[1]) * (p[4] - p[0]);
+    __extension__ using Wide = __int128;
+    const Wide det = static_cast<Wide>(p[2] - p[0]) * (p[5] - p[1]) -
+                     static_cast<Wide>(p[3] - p[1]) * (p[4] - p[0]);
     double d[6];
     for (int k = 0; k < 6; ++k) d[k] = static_cast<double>(p[k]);
     CHECK(orientation(d, d + 2, d + 4) == (det > 0) - (det < 0));

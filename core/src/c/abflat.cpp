@@ -1,0 +1,182 @@
+#include "abflat/abflat.h"
+
+#include <cstring>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "abflat/version.h"
+#include "base/guarded.h"
+#include "base/number_text.h"
+
+struct abflat_options {
+  abflat::UnwrapOptions values;
+  std::string message;
+};
+
+struct abflat_result {
+  abflat::UnwrapResult unwrapped;
+  std::vector<double> uv;  ///< 2 per output vertex
+  std::string message, report;
+};
+
+namespace abflat {
+namespace {
+
+Status unknown(const std::string& name) {
+  return {StatusCode::InvalidOption, "there is no option " + name};
+}
+
+Status notAValue(const OptionInfo& option, const std::string& text) {
+  return {StatusCode::InvalidOption,
+          std::string(option.name) + " cannot be \"" + text + "\"; it is " + option.range};
+}
+
+/// `text` as on the command line: a word, a number with or without a unit, or a boolean.
+bool readValue(const UnwrapOptions& options, int index, std::string_view text, double& value,
+               bool& isWord) {
+  if (optionInfos(options)[index].isSwitch) {
+    value = text == "true" || text == "1";
+    return value != 0 || text == "false" || text == "0";
+  }
+  value = wordValue(options, index, text, isWord);
+  if (isWord || text.empty()) return isWord;
+  double unit = unitSize(options, index, text.back());
+  if (unit > 0)
+    text.remove_suffix(1);
+  else
+    unit = 1;
+  if (!parseDouble(text, value)) return false;
+  value *= unit;
+  return true;
+}
+
+Status set(UnwrapOptions& options, const std::string& name, const std::string& text) {
+  if (name == "seams" || name == "--seams") {
+    Result<SeamSources> seams = parseSeams(text);
+    if (seams.ok()) options.seams = std::move(seams.value);
+    return seams.status;
+  }
+  const OptionInfos infos = optionInfos(options);
+  for (int i = 0; i < infos.count; ++i) {
+    if (name != infos[i].name && name != infos[i].flag) continue;
+    double value = 0;
+    bool isWord = false;
+    if (readValue(options, i, text, value, isWord) && setOption(options, i, value, isWord))
+      return {};
+    return notAValue(infos[i], text);
+  }
+  return unknown(name);
+}
+
+double coordinate(const abflat_mesh& mesh, const char* at) {
+  if (mesh.positions_are_floats != 0) {
+    float x = 0;
+    std::memcpy(&x, at, sizeof x);
+    return x;
+  }
+  double x = 0;
+  std::memcpy(&x, at, sizeof x);
+  return x;
+}
+
+PolygonMesh copied(const abflat_mesh& mesh) {
+  const std::size_t size = mesh.positions_are_floats != 0 ? sizeof(float) : sizeof(double);
+  const std::size_t stride = mesh.position_stride != 0 ? mesh.position_stride : 3 * size;
+  std::vector<double> positions;
+  positions.reserve(3 * mesh.vertex_count);
+  for (std::size_t v = 0; v < mesh.vertex_count; ++v)
+    for (std::size_t d = 0; d < 3; ++d)
+      positions.push_back(
+          coordinate(mesh, static_cast<const char*>(mesh.positions) + v * stride + d * size));
+  return makeTriangleMesh(
+      std::move(positions),
+      std::vector<std::uint32_t>(mesh.triangles, mesh.triangles + 3 * mesh.triangle_count));
+}
+
+Status unwrapInto(abflat_result& out, const abflat_mesh& mesh, UnwrapOptions options) {
+  const PolygonMesh input = copied(mesh);
+  Result<UnwrapResult> result = unwrap(input, options);
+  if (!result.ok()) return result.status;
+  out.unwrapped = std::move(result.value);
+  const UnwrapResult& r = out.unwrapped;
+  out.uv.reserve(2 * r.vertexUv.size());
+  for (const std::uint32_t i : r.vertexUv)
+    out.uv.insert(out.uv.end(), {r.uv[2 * std::size_t{i}], r.uv[2 * std::size_t{i} + 1]});
+  out.report = unwrapReportJson(r.report);
+  return {};
+}
+
+template <class T>
+const T* array(const std::vector<T>& values, std::size_t perItem, std::size_t* count) {
+  if (count != nullptr) *count = values.size() / perItem;
+  return values.data();
+}
+
+}  // namespace
+}  // namespace abflat
+
+using abflat::Status;
+using abflat::StatusCode;
+
+const char* abflat_version(void) { return ABFLAT_VERSION; }
+
+const char* abflat_status_name(int status) {
+  return abflat::statusName(static_cast<StatusCode>(status));
+}
+
+abflat_options* abflat_new_options(void) { return new (std::nothrow) abflat_options; }
+
+void abflat_free_options(abflat_options* options) { delete options; }
+
+int abflat_set_option(abflat_options* options, const char* name, const char* value) {
+  Status status = abflat::guarded([&] { return abflat::set(options->values, name, value); });
+  options->message = std::move(status.message);
+  return static_cast<int>(status.code);
+}
+
+const char* abflat_option_message(const abflat_options* options) {
+  return options->message.c_str();
+}
+
+int abflat_unwrap(const abflat_mesh* mesh, const abflat_options* options, abflat_progress progress,
+                  void* user, abflat_result** result) {
+  *result = new (std::nothrow) abflat_result;
+  if (*result == nullptr) return static_cast<int>(StatusCode::OutOfMemory);
+  Status status = abflat::guarded([&] {
+    abflat::UnwrapOptions values = options != nullptr ? options->values : abflat::UnwrapOptions();
+    if (progress != nullptr)
+      values.progress = [=](const abflat::Progress& now) {
+        return progress(nameOf(now), now.fraction, user) != 0;
+      };
+    return abflat::unwrapInto(**result, *mesh, std::move(values));
+  });
+  (*result)->message = std::move(status.message);
+  return static_cast<int>(status.code);
+}
+
+void abflat_free_result(abflat_result* result) { delete result; }
+
+const char* abflat_message(const abflat_result* result) { return result->message.c_str(); }
+
+int abflat_is_valid(const abflat_result* result) { return result->unwrapped.report.valid ? 1 : 0; }
+
+const char* abflat_report(const abflat_result* result) { return result->report.c_str(); }
+
+const std::uint32_t* abflat_vertices(const abflat_result* result, std::size_t* count) {
+  return abflat::array(result->unwrapped.vertexMap, 1, count);
+}
+
+const double* abflat_uv(const abflat_result* result, std::size_t* count) {
+  return abflat::array(result->uv, 2, count);
+}
+
+const std::uint32_t* abflat_triangles(const abflat_result* result, std::size_t* count) {
+  return abflat::array(result->unwrapped.triangles, 3, count);
+}
+
+const std::uint32_t* abflat_charts(const abflat_result* result, std::size_t* count) {
+  return abflat::array(result->unwrapped.chartOfTriangle, 1, count);
+}

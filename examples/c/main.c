@@ -1,0 +1,45 @@
+/* Unwraps a cube and prints where its corners lie in the atlas. */
+#include <stdio.h>
+
+#include "abflat/abflat.h"
+
+static const float corners[8][4] = {/* x, y, z, and something else of each vertex */
+                                    {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
+                                    {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
+static const uint32_t faces[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
+                                      {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                      {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+
+static int progress(const char* stage, double share, void* user) {
+  (void)stage;
+  (void)share;
+  ++*(int*)user;
+  return 1; /* 0 would cancel */
+}
+
+int main(void) {
+  abflat_mesh mesh = {corners, 1, sizeof corners[0], 8, faces[0], 12};
+  abflat_options* options = abflat_new_options();
+  abflat_result* result = NULL;
+  int calls = 0;
+  if (options == NULL) return 1;
+  if (abflat_set_option(options, "padding", "8") != 0) {
+    fprintf(stderr, "%s\n", abflat_option_message(options));
+    return 1;
+  }
+  int status = abflat_unwrap(&mesh, options, progress, &calls, &result);
+  if (status != 0) {
+    fprintf(stderr, "%s: %s\n", abflat_status_name(status),
+            result ? abflat_message(result) : "no memory");
+  } else {
+    size_t count = 0;
+    const double* uv = abflat_uv(result, &count);
+    const uint32_t* vertices = abflat_vertices(result, NULL);
+    printf("abflat %s: %s\n", abflat_version(), abflat_is_valid(result) ? "valid" : "not valid");
+    for (size_t i = 0; i < count; ++i)
+      printf("corner %u: %.3f %.3f\n", (unsigned)vertices[i], uv[2 * i], uv[2 * i + 1]);
+  }
+  abflat_free_result(result);
+  abflat_free_options(options);
+  return status != 0 || calls == 0;
+}

@@ -1,0 +1,141 @@
+#include "abflat/abflat.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "abflat/unwrap.h"
+#include "abflat/version.h"
+#include "catch.h"
+#include "support/meshes.h"
+
+using namespace abflat;
+using test::uvSphere;
+
+namespace {
+
+struct Options {
+  abflat_options* all = abflat_new_options();
+  ~Options() { abflat_free_options(all); }
+  int set(const char* name, const char* value) const { return abflat_set_option(all, name, value); }
+};
+
+struct Unwrapped {
+  abflat_result* result = nullptr;
+  int status = 0;
+  ~Unwrapped() { abflat_free_result(result); }
+  explicit Unwrapped(const abflat_mesh& mesh, const abflat_options* options = nullptr,
+                     abflat_progress progress = nullptr, void* user = nullptr)
+      : status(abflat_unwrap(&mesh, options, progress, user, &result)) {}
+};
+
+abflat_mesh arraysOf(const PolygonMesh& mesh) {
+  return {mesh.positions.data(), 0, 0, mesh.vertexCount(), mesh.faceVertices.data(),
+          mesh.faceCount()};
+}
+
+template <class T>
+std::vector<T> copied(const T* values, std::size_t count) {
+  return {values, values + count};
+}
+
+}  // namespace
+
+TEST_CASE("the functions for C give what those for C++ give", "[c]") {
+  const PolygonMesh mesh = uvSphere(24, 16);
+  UnwrapOptions options;
+  options.maxStretch = 1.1;
+  options.rotate = Rotate::Quarter;
+  options.memory = 2048;
+  options.udim = false;
+  options.seams.sharpDegrees = 60;
+  const UnwrapResult expected = unwrap(mesh, options).value;
+  REQUIRE(expected.report.valid);
+
+  const Options set;
+  REQUIRE(set.set("maxStretch", "1.1") == 0);
+  REQUIRE(set.set("--rotate", "quarter") == 0);
+  REQUIRE(set.set("memory", "2G") == 0);
+  REQUIRE(set.set("udim", "false") == 0);
+  REQUIRE(set.set("seams", "auto,sharp=60") == 0);
+  const Unwrapped got(arraysOf(mesh), set.all);
+  REQUIRE(got.status == 0);
+  CHECK(abflat_is_valid(got.result) == 1);
+  CHECK(std::string(abflat_message(got.result)).empty());
+  std::size_t vertices = 0, uvs = 0, triangles = 0, charts = 0;
+  const std::uint32_t* const ofInput = abflat_vertices(got.result, &vertices);
+  const double* const uv = abflat_uv(got.result, &uvs);
+  CHECK(copied(ofInput, vertices) == expected.vertexMap);
+  REQUIRE(uvs == vertices);
+  for (std::size_t i = 0; i < uvs; ++i)
+    for (const std::size_t d : {0, 1})
+      REQUIRE(uv[2 * i + d] == expected.uv[2 * std::size_t{expected.vertexUv[i]} + d]);
+  const std::uint32_t* const corners = abflat_triangles(got.result, &triangles);
+  CHECK(copied(corners, 3 * triangles) == expected.triangles);
+  const std::uint32_t* const ofTriangle = abflat_charts(got.result, &charts);
+  CHECK(copied(ofTriangle, charts) == expected.chartOfTriangle);
+  CHECK(std::string(abflat_report(got.result)).find("\"valid\": true") != std::string::npos);
+}
+
+TEST_CASE("positions may be floats between other data", "[c]") {
+  const PolygonMesh mesh = uvSphere(12, 8);
+  struct Vertex {
+    char other;
+    float at[3];
+  };
+  std::vector<Vertex> vertices(mesh.vertexCount());
+  PolygonMesh rounded = mesh;
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    for (std::size_t d = 0; d < 3; ++d)
+      rounded.positions[3 * v + d] = vertices[v].at[d] =
+          static_cast<float>(mesh.positions[3 * v + d]);
+  abflat_mesh arrays = arraysOf(mesh);
+  arrays.positions = vertices.front().at;
+  arrays.positions_are_floats = 1;
+  arrays.position_stride = sizeof(Vertex);
+  const Unwrapped got(arrays), expected(arraysOf(rounded));
+  std::size_t count = 0;
+  const double* const uv = abflat_uv(got.result, &count);
+  CHECK(copied(uv, 2 * count) == copied(abflat_uv(expected.result, nullptr), 2 * count));
+}
+
+TEST_CASE("C learns what is wrong", "[c]") {
+  const Options options;
+  CHECK(std::string(abflat_status_name(options.set("maxStrech", "2"))) == "InvalidOption");
+  CHECK(abflat_option_message(options.all) == std::string("there is no option maxStrech"));
+  for (const char* value : {"1", "x", "", "nan", "1.1x"})
+    CHECK(options.set("maxStretch", value) != 0);
+  for (const char* value : {"", "2", "yes"}) CHECK(options.set("udim", value) != 0);
+  CHECK(std::string(abflat_option_message(options.all)).find("udim") == 0);
+  CHECK(options.set("memory", "1X") != 0);
+  CHECK(options.set("minUtilization", "-1") != 0);
+  CHECK(options.set("seams", "sharp") != 0);
+  CHECK(options.set("maxStretch", "1.5") == 0);
+  CHECK(std::string(abflat_option_message(options.all)).empty());
+
+  const PolygonMesh sphere = uvSphere(12, 8);
+  abflat_mesh mesh = arraysOf(sphere);
+  mesh.vertex_count -= 1;
+  const Unwrapped outside(mesh);
+  CHECK(std::string(abflat_status_name(outside.status)) == "InvalidMesh");
+  CHECK(std::strlen(abflat_message(outside.result)) > 0);
+  std::size_t count = 1;
+  abflat_uv(outside.result, &count);
+  CHECK(count == 0);
+  const Unwrapped empty({nullptr, 0, 0, 0, nullptr, 0});
+  CHECK(std::string(abflat_status_name(empty.status)) == "EmptyMesh");
+}
+
+TEST_CASE("C hears of progress and may cancel", "[c]") {
+  const PolygonMesh mesh = uvSphere(24, 16);
+  int calls = 0;
+  const auto count = [](const char*, double, void* user) { return ++*static_cast<int*>(user); };
+  const Unwrapped done(arraysOf(mesh), nullptr, count, &calls);
+  CHECK(done.status == 0);
+  CHECK(calls > 3);
+  const auto cancel = [](const char*, double, void*) { return 0; };
+  const Unwrapped cancelled(arraysOf(mesh), nullptr, cancel);
+  CHECK(std::string(abflat_status_name(cancelled.status)) == "Aborted");
+  CHECK(std::string(abflat_version()) == ABFLAT_VERSION);
+}
