@@ -121,8 +121,8 @@ for (const module of MODULES.slice(0, 2)) {
 
 test('version and exported files match the repository', () => {
   const manifest = JSON.parse(readFileSync(join(ROOT, 'wasm/package.json'), 'utf8'));
-  const cmake = readFileSync(join(ROOT, 'CMakeLists.txt'), 'utf8');
-  assert.equal(manifest.version, cmake.match(/project\(abflat VERSION (\S+)/)[1]);
+  const header = readFileSync(join(ROOT, 'core/include/abflat/version.h'), 'utf8');
+  assert.equal(manifest.version, header.match(/ABFLAT_VERSION "(\S+)"/)[1]);
   const paths = Object.values(manifest.exports).flatMap((entry) =>
     typeof entry === 'string' ? [entry] : Object.values(entry),
   );

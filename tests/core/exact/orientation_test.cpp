@@ -7,6 +7,12 @@
 
 using namespace abflat;
 
+namespace {
+
+__extension__ using Wide = __int128;
+
+}  // namespace
+
 TEST_CASE("orientation of points next to a line is exact") {
   // Points of a tiny grid of neighbouring doubles around (0.5, 0.5) against the line through (12,
   // 12) and (24, 24).
@@ -33,7 +39,6 @@ TEST_CASE("orientation agrees with integer arithmetic") {
     const long long m = small(random);
     p[4] = p[0] + m * (p[2] - p[0]) / 2 + small(random) % 2;
     p[5] = p[1] + m * (p[3] - p[1]) / 2 + small(random) % 2;
-    __extension__ using Wide = __int128;
     const Wide det = static_cast<Wide>(p[2] - p[0]) * (p[5] - p[1]) -
                      static_cast<Wide>(p[3] - p[1]) * (p[4] - p[0]);
     double d[6];
