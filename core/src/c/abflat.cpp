@@ -96,7 +96,7 @@ PolygonMesh copied(const abflat_mesh& mesh) {
       std::vector<std::uint32_t>(mesh.triangles, mesh.triangles + 3 * mesh.triangle_count));
 }
 
-Status unwrapInto(abflat_result& out, const abflat_mesh& mesh, UnwrapOptions options) {
+Status unwrapInto(abflat_result& out, const abflat_mesh& mesh, const UnwrapOptions& options) {
   const PolygonMesh input = copied(mesh);
   Result<UnwrapResult> result = unwrap(input, options);
   if (!result.ok()) return result.status;
@@ -151,7 +151,7 @@ int abflat_unwrap(const abflat_mesh* mesh, const abflat_options* options, abflat
       values.progress = [=](const abflat::Progress& now) {
         return progress(nameOf(now), now.fraction, user) != 0;
       };
-    return abflat::unwrapInto(**result, *mesh, std::move(values));
+    return abflat::unwrapInto(**result, *mesh, values);
   });
   (*result)->message = std::move(status.message);
   return static_cast<int>(status.code);
