@@ -2,7 +2,13 @@
 // so what would serve them is left out.
 mergeInto(LibraryManager.library, {
   emscripten_set_canvas_element_size__deps: [],
-  emscripten_set_canvas_element_size: () => -1,
+  // biome-ignore lint/complexity/useArrowFunction: Emscripten drops arrow functions in silence
+  emscripten_set_canvas_element_size: function () {
+    return -1;
+  },
   emscripten_webgl_create_context__deps: [],
-  emscripten_webgl_create_context: () => 0,
+  // biome-ignore lint/complexity/useArrowFunction: Emscripten drops arrow functions in silence
+  emscripten_webgl_create_context: function () {
+    return 0;
+  },
 });
