@@ -9,6 +9,10 @@ target_compile_options(abflat_flags INTERFACE -ffp-contract=off)
 # Nothing is put in the place of a function of a shared library.
 target_compile_options(abflat_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 if(ABFLAT_IS_TOP_LEVEL)
+  # Also where it is the compiler's own, since clang-tidy reads the commands of GCC.
+  if(NOT CMAKE_CXX_STANDARD)
+    set(CMAKE_CXX_STANDARD 17)
+  endif()
   set(CMAKE_CXX_EXTENSIONS OFF)
   # Signs are left out because only clang counts them to -Wconversion.
   target_compile_options(abflat_flags INTERFACE

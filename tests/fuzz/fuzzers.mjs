@@ -15,8 +15,11 @@ export const FOUND = join(HOME, 'found');
 /** Calls of the npm package, which libFuzzer does not see. */
 export const PACKAGE_TARGET = 'javascript';
 
-/** Seconds that one input may take; more counts as a finding as well. */
-const SECONDS = 60;
+/**
+ * Seconds that one input may take; more counts as a finding as well. With sanitizers some take 15
+ * on a machine that does nothing else.
+ */
+const SECONDS = 180;
 const LIMITS = [
   `-timeout=${SECONDS}`,
   `-report_slow_units=${SECONDS}`,
@@ -70,7 +73,7 @@ export async function fuzz(target, seconds) {
     {
       capture: true,
       env: { ASAN_OPTIONS: 'allocator_may_return_null=0:detect_leaks=1' },
-      seconds: seconds + 120,
+      seconds: seconds + 2 * SECONDS,
     },
   );
   const found = findingsOf(target).filter((name) => !before.has(name));
