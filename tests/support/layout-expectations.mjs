@@ -9,7 +9,7 @@ const SLACK = 1 + 1e-9;
 
 /** What a cut for packing has to gain, in the logarithm of the texel density. */
 const GAIN_OF_FIRST_CUTS = 0.05;
-const GAIN_OF_CUT = 0.015;
+const GAIN_OF_CUT = 0.02;
 const FIRST_CUTS = 4;
 
 /** The charts before they were cut for packing, if each of the cuts is worth it. */

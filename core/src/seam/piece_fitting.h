@@ -102,7 +102,7 @@ class PieceFitting {
     double mostCost = HUGE_VAL;  ///< of a cut, for its length
   };
 
-  static constexpr double kCostOfCut = 0.375, kCostOfFirst = 0.875;
+  static constexpr double kCostOfCut = 0.5, kCostOfFirst = 0.75;
 
   IdVector<OpenVertex, std::uint8_t> verticesOnCreases() const;
   double areaOf(PieceId piece) const;
