@@ -36,6 +36,7 @@
 #include "unwrap/room.h"
 #include "unwrap/room_note.h"
 #include "unwrap/seams.h"
+#include "unwrap/small_charts.h"
 #include "unwrap/spacing.h"
 #include "unwrap/stacks.h"
 #include "unwrap/stretch.h"
@@ -226,7 +227,27 @@ class Unwrapping {
     open_ = std::move(best.open);
     charts_ = std::move(best.charts);
     surface_.fans = Fans();
+    if (Status s = joinSmall(); !s.ok()) return s;
     return layOutAsWished();
+  }
+
+  /// Joins charts that are too small to be worth a seam, where the bounds allow it.
+  Status joinSmall() {
+    constexpr int kMostRounds = 6;
+    SmallCharts small;
+    for (int k = 0; k < kMostRounds && canCut(options_) && !monitor_.stopped(); ++k) {
+      const Seams seams = small.join(charts_, options_, open_);
+      if (seams.empty()) break;
+      LaidCharts before = openAnew();
+      if (Status s = readWishes(); !s.ok()) return s;
+      if (Status s = layOut([&](double) { return monitor_.tellAgain(); }); !s.ok()) return s;
+      if (monitor_.stopped()) break;
+      if (Status s =
+              takeBackTo(before, small.refused(before, charts_, options_, open_.mirror), seams);
+          !s.ok())
+        return s;
+    }
+    return {};
   }
 
   /// Searches take no notice of pins and of what is known, so that these change no seam.
@@ -499,9 +520,14 @@ class Unwrapping {
 
   /// Joins charts again that were cut for packing into pieces with too much stretch.
   Status joinStretched(LaidCharts& before, const Seams& seams) {
-    const IdVector<ChartId, std::uint8_t> isJoined = stretchedByCuts(before, charts_, options_);
-    if (std::find(isJoined.begin(), isJoined.end(), 1) == isJoined.end()) return {};
-    takeBack(before.set, isJoined, seams, open_);
+    return takeBackTo(before, stretchedByCuts(before, charts_, options_), seams);
+  }
+
+  /// Takes back what was changed about these charts.
+  Status takeBackTo(LaidCharts& before, const IdVector<ChartId, std::uint8_t>& isAsked,
+                    const Seams& seams) {
+    if (std::find(isAsked.begin(), isAsked.end(), 1) == isAsked.end()) return {};
+    takeBack(before.set, isAsked, seams, open_);
     openAnew();
     moveSame(before, charts_);
     return readWishes();
