@@ -330,7 +330,7 @@ test('charts keep their colours as long as they have the same triangles', async 
 });
 
 test('a check that ends after the next move does not take that back', async () => {
-  const { Placement } = await load('placement');
+  const { Placement } = await load('tools/placement');
   const wanted = [];
   const placement = new Placement(
     { outcome: async () => ({}), keptDensities: async () => undefined },
@@ -362,7 +362,7 @@ test('a check that ends after the next move does not take that back', async () =
 });
 
 test('moves that do not wait for each other all count, and those of another atlas do not', async () => {
-  const { Placement } = await load('placement');
+  const { Placement } = await load('tools/placement');
   const wanted = [];
   const refused = [];
   const placement = new Placement(

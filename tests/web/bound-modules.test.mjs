@@ -7,9 +7,9 @@ import { loadModule } from './modules.mjs';
 const { differences, withBound, withoutBound } = await loadModule('mesh/vertex-bounds');
 const { changeBetween } = await loadModule('session/change');
 const { sameSettings } = await loadModule('model/settings');
-const { askedOf, settingsAskedFor } = await loadModule('visit-record');
+const { askedOf, settingsAskedFor } = await loadModule('visit/visit-record');
 const { foundChart } = await loadModule('model/found-chart');
-const { textOf } = await loadModule('settings-text');
+const { textOf } = await loadModule('visit/settings-text');
 
 const DISK = { mode: 'flatten', t: 'auto', balance: 0, delaunay: false };
 

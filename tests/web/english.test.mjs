@@ -22,7 +22,7 @@ const ERRORS = {
   'export/export-mesh.ts': ['The result came without '],
   'seams/seam-model.ts': ['Seams are edited before '],
   'view/stage.ts': ['This browser has no WebGL 2.', 'The canvas must be in the page.'],
-  'visit-record.ts': ['no settings', 'no files'],
+  'visit/visit-record.ts': ['no settings', 'no files'],
 };
 
 /** Words that are names: of keys, a status, a kind of data, a compression, the value of an option. */

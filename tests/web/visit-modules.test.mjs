@@ -5,9 +5,9 @@ import { test } from 'node:test';
 import { randomNumbers } from '../support/disks.mjs';
 import { loadModule } from './modules.mjs';
 
-const { settingsOf, textOf, usualSettings } = await loadModule('settings-text');
-const { fitting } = await loadModule('settings-link');
-const { visitOf, settingsAskedFor } = await loadModule('visit-record');
+const { settingsOf, textOf, usualSettings } = await loadModule('visit/settings-text');
+const { fitting } = await loadModule('visit/settings-link');
+const { visitOf, settingsAskedFor } = await loadModule('visit/visit-record');
 const { STRETCHES } = await loadModule('controls/atlas-control');
 const { RESOLUTIONS } = await loadModule('model/settings');
 

@@ -14,7 +14,8 @@ import { type Remedy, verdictOf } from './details/verdict';
 import { exportMeshes } from './export/exporter';
 import { HandTools } from './hand-tools';
 import { HelpSheet } from './help/help-sheet';
-import { LastVisit } from './last-visit';
+import { LaterParts } from './later-parts';
+import { LayoutControls } from './layout-controls';
 import { Meshes } from './meshes';
 import type { FlatDrawing } from './model/drawing';
 import {
@@ -26,8 +27,6 @@ import {
 } from './model/model';
 import { isByHand, type Settings } from './model/settings';
 import { FIRST_SAMPLE } from './opening/open-mesh';
-import { PageHistory } from './page-history';
-import { Rest } from './rest';
 import { ResultPanels } from './result-panels';
 import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
@@ -36,10 +35,11 @@ import { Session, type SessionEvents, type Shown } from './session/session';
 import type { Step } from './session/steps';
 import { titleOf } from './session/titles';
 import { failure, isOnlyPlaced, kept, settingsText } from './session/words';
-import { ownImages } from './shown-image';
-import { Unsaved } from './unsaved';
+import { ownImages } from './shown/shown-image';
 import type { Views } from './view/views';
-import { Wishes } from './wishes';
+import { LastVisit } from './visit/last-visit';
+import { PageHistory } from './visit/page-history';
+import { Unsaved } from './visit/unsaved';
 import { Workshop } from './workshop/workshop';
 
 /** Connects the session with what is on the page. */
@@ -47,7 +47,7 @@ export class App implements SessionEvents {
   private readonly workshop = new Workshop();
   private readonly session: Session;
   private readonly say = (text: string) => this.run.say(text);
-  private readonly wishes: Wishes;
+  private readonly controls: LayoutControls;
   private readonly visit = new LastVisit((settings) => this.follow(settings));
   private readonly history = new PageHistory((step, said) => this.goBack(step, said));
   /** Those open in other tabs. */
@@ -64,7 +64,7 @@ export class App implements SessionEvents {
   private readonly meshes: Meshes;
   private readonly saving: Saving;
   private readonly help = new HelpSheet();
-  private readonly rest = new Rest([
+  private readonly later = new LaterParts([
     () => this.workshop.loadRest(),
     () => this.seams.loadRest(),
     plots,
@@ -81,16 +81,16 @@ export class App implements SessionEvents {
 
   constructor(abflat: () => Promise<Abflat>, views: Views | null) {
     this.seams = new SeamPanel(views?.mesh ?? null, this.workshop, {
-      changed: (what) => this.wishes.seamsChanged(what),
+      changed: (what) => this.controls.seamsChanged(what),
       say: this.say,
     });
-    this.wishes = new Wishes(this.seams, {
+    this.controls = new LayoutControls(this.seams, {
       changed: (what) => this.changed(what),
       modeChanged: () => this.modeChanged(),
       say: this.say,
     });
-    this.session = new Session(abflat, this, () => this.wishes.settings, this.workshop);
-    this.result = new ResultPanels(this.session, this.workshop, this.wishes, views, {
+    this.session = new Session(abflat, this, () => this.controls.settings, this.workshop);
+    this.result = new ResultPanels(this.session, this.workshop, this.controls, views, {
       help: (remedy) => this.remedy(remedy),
       chosen: (chart) => this.tools?.pick(chart),
       locked: (what) => this.locked(what),
@@ -102,7 +102,7 @@ export class App implements SessionEvents {
     });
     this.tools =
       views &&
-      new HandTools(views, this.workshop, this.session, this.wishes, {
+      new HandTools(views, this.workshop, this.session, this.controls, {
         isFree: () => this.seams.isIdle,
         selected: (charts) => this.result.showSelected(charts),
         pinned: (what) => this.marked(what),
@@ -162,7 +162,7 @@ export class App implements SessionEvents {
   }
 
   private noteChange(what?: string): void {
-    const { settings } = this.wishes;
+    const { settings } = this.controls;
     this.said = what ?? '';
     this.visit.changed();
     this.history.change(settings, what);
@@ -174,14 +174,14 @@ export class App implements SessionEvents {
   /** There may be work by hand on the mesh on screen that no file has. */
   private noteWork(): void {
     const { shown } = this.meshes;
-    if (shown) this.unsaved.want(shown, this.wishes.both);
+    if (shown) this.unsaved.want(shown, this.controls.both);
   }
 
   /** Switches the page to the other kind of layout, as it was left unless something else is wanted of it. */
   private modeChanged(): void {
     this.leaveMode();
     this.showMode();
-    const outcome = this.history.resultOf(this.wishes.settings);
+    const outcome = this.history.resultOf(this.controls.settings);
     this.noteChange();
     if (outcome?.source === this.meshes.shown) this.showAgain(outcome, RUN.asLeft);
     else this.session.refresh();
@@ -194,14 +194,14 @@ export class App implements SessionEvents {
   }
 
   private showMode(): void {
-    const { mode } = this.wishes.mode;
+    const { mode } = this.controls.mode;
     this.result.setMode(mode);
     this.saving.setMode(mode);
     element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
   }
 
   private remedy(remedy: Remedy): void {
-    if (remedy === 'unwrap') this.wishes.mode.choose('unwrap');
+    if (remedy === 'unwrap') this.controls.mode.choose('unwrap');
     else if (remedy === 'pack') this.result.packAgain();
     else this.seams.cutFurther();
   }
@@ -215,10 +215,10 @@ export class App implements SessionEvents {
   /** Locking and pinning change nothing on screen. */
   private marked(what: string): void {
     const { outcome } = this.result;
-    this.history.change(this.wishes.settings, what);
+    this.history.change(this.controls.settings, what);
     if (this.session.isBusy || !outcome) return;
     this.history.settle(outcome);
-    this.visit.keep(outcome, this.wishes.marks);
+    this.visit.keep(outcome, this.controls.marks);
   }
 
   /** Returns to an earlier step, or to one that was undone. */
@@ -240,9 +240,9 @@ export class App implements SessionEvents {
 
   /** Shows other settings. */
   private ask(settings: Settings): void {
-    const isOther = settings.mode !== this.wishes.mode.mode;
+    const isOther = settings.mode !== this.controls.mode.mode;
     if (isOther) this.leaveMode();
-    this.wishes.restore(settings);
+    this.controls.restore(settings);
     if (isOther) this.showMode();
     this.tools?.update();
     this.noteWork();
@@ -257,7 +257,7 @@ export class App implements SessionEvents {
 
   started(source: Source, settings: Settings | null): void {
     this.result.leaveMethod();
-    const { doing, verb } = LAYING_OUT[this.wishes.mode.mode];
+    const { doing, verb } = LAYING_OUT[this.controls.mode.mode];
     this.run.start(
       settings ? RUN.layingOut(doing, settingsText(settings)) : RUN.reading(titleOf(source)),
       verb,
@@ -267,7 +267,7 @@ export class App implements SessionEvents {
     const isFirst = source.kind === 'sample' && this.result.outcome === null;
     if (settings?.mode === 'unwrap' && !isFirst) void this.seams.prepare();
     document.body.setAttribute('aria-busy', 'true');
-    this.result.markStale(settings ?? this.wishes.settings);
+    this.result.markStale(settings ?? this.controls.settings);
   }
 
   progress(progress: AnyProgress): void {
@@ -277,17 +277,17 @@ export class App implements SessionEvents {
   opened(opened: Opened, before: Shown | null): void {
     const { source, mesh, summary } = opened;
     hideAlert();
-    const last = before && { ...before, history: this.history.list, settings: this.wishes.both };
+    const last = before && { ...before, history: this.history.list, settings: this.controls.both };
     const left = this.left.get(source);
     this.tools?.clear();
     this.meshes.show(opened, last?.settings.some(isByHand) ?? false);
     if (last) this.leave(last);
     const isReread = last !== null && isSameFile(last.opened.source, source);
-    this.wishes.open({ mesh, summary, name: source.name, isReread });
+    this.controls.open({ mesh, summary, name: source.name, isReread });
     const asked = this.visit.opened(opened, left !== undefined);
     for (const settings of left?.settings ?? (asked ? [asked] : [])) this.ask(settings);
     if (left) this.history.resume(left.history);
-    else this.history.begin(CHANGES.opened(titleOf(source)), this.wishes.settings);
+    else this.history.begin(CHANGES.opened(titleOf(source)), this.controls.settings);
     this.left.drop(source);
     this.said = left ? RUN.shownAgain(titleOf(source)) : '';
     this.noteWork();
@@ -307,7 +307,7 @@ export class App implements SessionEvents {
   laidOut(outcome: Outcome, drawing: FlatDrawing): void {
     const { report } = outcome.result;
     this.show(outcome, drawing);
-    this.rest.load();
+    this.later.load();
     const { badge } = verdictOf(outcome, drawing.areas);
     const but = badge === BADGES.valid ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
@@ -333,7 +333,7 @@ export class App implements SessionEvents {
     this.tools?.show(outcome);
     if (outcome.mode === 'unwrap') this.seams.show(outcome);
     this.saving.show(outcome, drawing);
-    this.visit.keep(outcome, this.wishes.marks);
+    this.visit.keep(outcome, this.controls.marks);
   }
 
   cancelled(): void {

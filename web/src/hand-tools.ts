@@ -1,12 +1,12 @@
 import type { ChartMesh } from './arrange/chart-mesh';
-import { Arranging, type ArrangingEvents } from './arranging';
 import { showAlert } from './base/alert';
 import { MOVING } from './base/english';
-import { BoundPainting } from './bound-painting';
+import type { LayoutControls } from './layout-controls';
 import type { Outcome } from './model/model';
 import type { Session } from './session/session';
+import { Arranging, type ArrangingEvents } from './tools/arranging';
+import { BoundPainting } from './tools/bound-painting';
 import type { Views } from './view/views';
-import type { Wishes } from './wishes';
 import type { Workshop } from './workshop/workshop';
 
 export interface HandEvents extends Pick<ArrangingEvents, 'isFree' | 'selected' | 'say'> {
@@ -25,28 +25,28 @@ export class HandTools {
     views: Views,
     workshop: Workshop,
     private readonly session: Session,
-    private readonly wishes: Wishes,
+    private readonly controls: LayoutControls,
     events: HandEvents,
   ) {
     this.arranging = new Arranging(views, workshop, {
       ...events,
-      staying: () => wishes.locks.staying,
-      keptUvs: () => wishes.locks.keptUvs,
+      staying: () => controls.locks.staying,
+      keptUvs: () => controls.locks.keptUvs,
       weights: (layout, pins) => this.weights(layout, pins),
       pinned: (pins, what) => {
-        wishes.pin(pins);
+        controls.pin(pins);
         events.pinned(what);
       },
       placing: () => document.body.setAttribute('aria-busy', 'true'),
-      placed: (layout, densities, what) => wishes.place(layout, densities, what),
+      placed: (layout, densities, what) => controls.place(layout, densities, what),
       notPlaced: (error, why = '') => {
         if (error) showAlert(MOVING.failed(error.message));
         events.notPlaced(why);
       },
     });
     this.painting = new BoundPainting(views, workshop, {
-      bounds: () => wishes.disk.bounds ?? [],
-      changed: (bounds, what) => wishes.paint(bounds, what),
+      bounds: () => controls.disk.bounds ?? [],
+      changed: (bounds, what) => controls.paint(bounds, what),
       say: events.say,
     });
   }
@@ -63,7 +63,7 @@ export class HandTools {
   }
 
   show(outcome: Outcome): void {
-    const { settings } = this.wishes;
+    const { settings } = this.controls;
     const wanted = settings.mode === 'unwrap' ? settings : {};
     this.arranging.show(outcome.mode === 'unwrap' ? outcome : null, wanted);
     this.painting.show(outcome);

@@ -10,8 +10,8 @@ import { type OpenEvents, Opening } from './opening/open-mesh';
 import { showSample } from './opening/samples';
 import { titleOf } from './session/titles';
 import { facesText } from './session/words';
-import { ShownImage, type ShownImageEvents } from './shown-image';
-import { ShownLook } from './shown-look';
+import { ShownImage, type ShownImageEvents } from './shown/shown-image';
+import { ShownLook } from './shown/shown-look';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 

@@ -8,6 +8,7 @@ import { MethodsTab } from './details/methods-tab';
 import { type MetricsEvents, MetricsPanel } from './details/metrics';
 import { SolverTab } from './details/solver-tab';
 import { SweepTab } from './details/sweep-tab';
+import type { LayoutControls } from './layout-controls';
 import type { FlatDrawing } from './model/drawing';
 import { foundChart } from './model/found-chart';
 import type { Outcome, Source } from './model/model';
@@ -16,10 +17,9 @@ import type { Session } from './session/session';
 import { flattenIfPossible } from './session/sweep';
 import { titleOf } from './session/titles';
 import { layoutInfo } from './session/words';
-import { ShownMethod } from './shown-method';
-import { ownerOf, StaleMark } from './stale-mark';
+import { ShownMethod } from './shown/shown-method';
+import { ownerOf, StaleMark } from './shown/stale-mark';
 import type { Views } from './view/views';
-import type { Wishes } from './wishes';
 import type { Workshop } from './workshop/workshop';
 
 export interface ResultEvents
@@ -48,7 +48,7 @@ export class ResultPanels {
   constructor(
     session: Session,
     workshop: Workshop,
-    private readonly wishes: Wishes,
+    private readonly controls: LayoutControls,
     private readonly views: Views | null,
     events: ResultEvents,
   ) {
@@ -59,7 +59,7 @@ export class ResultPanels {
     });
     this.staleMark = new StaleMark(this.metrics);
     this.copyReport = new CopyReport((text) => events.say(text));
-    this.charts = new ChartsTab(views, wishes.locks, {
+    this.charts = new ChartsTab(views, controls.locks, {
       chosen: (chart) => events.chosen(chart),
       locked: (what) => events.locked(what),
       packAgain: () => this.packAgain(),
@@ -69,10 +69,10 @@ export class ResultPanels {
       (t, signal) =>
         session.aside(
           (abflat, input, signal) =>
-            flattenIfPossible(abflat, input, { ...wishes.disk, t }, signal),
+            flattenIfPossible(abflat, input, { ...controls.disk, t }, signal),
           signal,
         ),
-      (t) => wishes.bound.choose(t),
+      (t) => controls.bound.choose(t),
     );
     this.methods = new MethodsTab(
       (signal, onProgress) =>
@@ -121,9 +121,9 @@ export class ResultPanels {
     this.shown = source;
     this.clear();
     this.sweep.clear();
-    this.use(this.wishes.disk);
+    this.use(this.controls.disk);
     this.methods.clear();
-    this.wishes.bound.setBoundaryVertices(null);
+    this.controls.bound.setBoundaryVertices(null);
     this.markStale();
   }
 
@@ -154,7 +154,7 @@ export class ResultPanels {
 
   packAgain(): void {
     const { outcome } = this;
-    if (outcome?.mode === 'unwrap') this.wishes.packAgain(outcome);
+    if (outcome?.mode === 'unwrap') this.controls.packAgain(outcome);
   }
 
   showSelected(charts: ReadonlySet<number>): void {
@@ -165,7 +165,7 @@ export class ResultPanels {
    * Marks layout and numbers if they do not belong to the mesh on screen and its settings; returns
    * whether that is so.
    */
-  markStale(settings: Settings = this.wishes.settings): boolean {
+  markStale(settings: Settings = this.controls.settings): boolean {
     return this.staleMark.show(this.outcome, this.shown, settings);
   }
 
@@ -182,7 +182,7 @@ export class ResultPanels {
   }
 
   private showDetails(outcome: Outcome, { chartColors }: FlatDrawing): void {
-    const { bound, locks } = this.wishes;
+    const { bound, locks } = this.controls;
     if (outcome.mode === 'unwrap') {
       locks.show(outcome);
       this.charts.show(outcome, chartColors);

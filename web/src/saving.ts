@@ -11,7 +11,7 @@ import type { Mode } from './model/settings';
 import type { Session } from './session/session';
 import { titleOf } from './session/titles';
 import { settingsText } from './session/words';
-import { ownerOf } from './stale-mark';
+import { ownerOf } from './shown/stale-mark';
 import type { Views } from './view/views';
 import type { Workshop } from './workshop/workshop';
 

@@ -9,18 +9,18 @@ export class Locks {
   private locked: Uint32Array = new Uint32Array();
   /** Charts of the atlas on screen that have the uv of the file. */
   private ofFile: ReadonlySet<number> = new Set();
-  private wish: Kept | undefined;
+  private asked: Kept | undefined;
 
   /** The charts that the next run must keep; a new object after every change. */
   get kept(): Kept | undefined {
-    return this.wish;
+    return this.asked;
   }
 
   /** The locked charts of the atlas on screen. */
   get charts(): Set<number> {
     if (!this.shown) return new Set();
-    const isCurrent = this.wish?.layout === this.shown;
-    return new Set(isCurrent ? this.wish?.charts : this.locked);
+    const isCurrent = this.asked?.layout === this.shown;
+    return new Set(isCurrent ? this.asked?.charts : this.locked);
   }
 
   /** Charts of the atlas on screen that nothing can move while the uv of the file are kept. */
@@ -36,12 +36,12 @@ export class Locks {
   clear(): void {
     this.shown = null;
     this.ofFile = new Set();
-    this.wish = undefined;
+    this.asked = undefined;
   }
 
   /** Takes back or repeats what was locked. */
   restore(kept: Kept | undefined): void {
-    this.wish = kept;
+    this.asked = kept;
   }
 
   show({ result, settings }: Unwrapped): void {
@@ -50,14 +50,14 @@ export class Locks {
     this.ofFile = settings.fixedFaces ? chartsOfFile(result, this.locked) : new Set();
     // Otherwise the user has locked or unlocked charts in the meantime, and another run will
     // follow.
-    if (settings.kept === this.wish) this.wish = { layout: result, charts: this.locked };
+    if (settings.kept === this.asked) this.asked = { layout: result, charts: this.locked };
   }
 
   toggle(chart: number): void {
     if (!this.shown || this.ofFile.has(chart)) return;
     const { charts } = this;
     if (!charts.delete(chart)) charts.add(chart);
-    this.wish = { layout: this.shown, charts: Uint32Array.from(charts) };
+    this.asked = { layout: this.shown, charts: Uint32Array.from(charts) };
   }
 }
 

@@ -5,7 +5,7 @@ import type { Written } from '../session/write-again';
 import type { Workshop } from '../workshop/workshop';
 
 /** What is to be written. */
-export interface Wish {
+export interface ExportRequest {
   outcome: Outcome;
   format: ExportFormat;
   /** The set of a glTF that gets the coordinates. */
@@ -20,15 +20,15 @@ export interface Writers {
 }
 
 /** Offers the result as NAME-uv with the ending of its format. Returns what was done, for people. */
-export async function exportMesh(wish: Wish, writers: Writers): Promise<string> {
-  const { source } = wish.outcome;
+export async function exportMesh(request: ExportRequest, writers: Writers): Promise<string> {
+  const { source } = request.outcome;
   const base = source.name.replace(/\.[^.]*$/, '');
-  const { file, remarks } = await write(wish, base, writers);
-  const name = `${base}-uv.${wish.format}`;
-  download(name, TYPES[wish.format], file);
+  const { file, remarks } = await write(request, base, writers);
+  const name = `${base}-uv.${request.format}`;
+  download(name, TYPES[request.format], file);
   const size = file instanceof Blob ? file.size : file.length;
   const exported = EXPORT.exported(name, SAVED.kilobytes(size));
-  return [exported + after(wish), ...setOf(wish), ...remarks].join('. ');
+  return [exported + after(request), ...setOf(request), ...remarks].join('. ');
 }
 
 interface Output {
@@ -37,17 +37,21 @@ interface Output {
   remarks: string[];
 }
 
-async function write(wish: Wish, name: string, writers: Writers): Promise<Output> {
-  const { outcome, format, texcoord } = wish;
+async function write(request: ExportRequest, name: string, writers: Writers): Promise<Output> {
+  const { outcome, format, texcoord } = request;
   const own = format === 'glb' ? undefined : outcome.result[format];
   if (own) return { file: own, remarks: [] };
   if (format === 'glb' && outcome.gltf)
     return { file: await writers.workshop.glb(outcome, texcoord, name), remarks: [] };
-  return convert(wish, name, writers);
+  return convert(request, name, writers);
 }
 
 /** In a format that the mesh did not come in. */
-async function convert({ outcome, format }: Wish, name: string, writers: Writers): Promise<Output> {
+async function convert(
+  { outcome, format }: ExportRequest,
+  name: string,
+  writers: Writers,
+): Promise<Output> {
   const written = await writers.again(outcome, format);
   const remarks = outcome.result.report.valid && !written.isValid ? [EXPORT.rounded] : [];
   if (format === 'glb') return { file: await writers.workshop.glb(outcome, 0, name), remarks };
@@ -57,7 +61,7 @@ async function convert({ outcome, format }: Wish, name: string, writers: Writers
 }
 
 /** Which texcoord set has the new UVs, where a file may have several. */
-function setOf({ outcome, format, texcoord }: Wish): string[] {
+function setOf({ outcome, format, texcoord }: ExportRequest): string[] {
   const { gltf } = outcome;
   if (format !== 'glb' || !gltf || (gltf.freeTexcoord === 0 && gltf.texcoordSets === 0)) return [];
   if (gltf.paintedSets.includes(texcoord)) return [EXPORT.replacedPainted(texcoord)];
@@ -66,7 +70,7 @@ function setOf({ outcome, format, texcoord }: Wish): string[] {
   return [isPainted ? EXPORT.addedToPainted(texcoord) : EXPORT.added(texcoord)];
 }
 
-function after({ outcome, format }: Wish): string {
+function after({ outcome, format }: ExportRequest): string {
   const hasMore = /\.(obj|ply|glb|gltf)$/i.test(outcome.source.name);
   if (hasMore && format !== exportFormat(outcome.source)) return EXPORT.shapeOnly;
   return outcome.gltf?.compressions.length ? EXPORT.uncompressed : '';

@@ -4,15 +4,15 @@ import { Job } from '../session/job';
 import type { Session } from '../session/session';
 import { writeAgain } from '../session/write-again';
 import type { Workshop } from '../workshop/workshop';
-import type { Wish } from './export-mesh';
+import type { ExportRequest } from './export-mesh';
 
 export const exportMeshes = () => loadPart(import('./export-mesh'));
 
 export interface ExporterEvents {
   say(text: string): void;
   /** A file has the layout. */
-  exported(wish: Wish): void;
-  failed(wish: Wish, error: Error): void;
+  exported(request: ExportRequest): void;
+  failed(request: ExportRequest, error: Error): void;
 }
 
 /** Exports one file at a time. A file that abflat has to write first waits for the run in flight. */
@@ -26,11 +26,11 @@ export class Exporter {
   ) {}
 
   /** `remark`: what is to be said of it besides. */
-  export(wish: Wish, remark: string): void {
+  export(request: ExportRequest, remark: string): void {
     this.job
       .start(async (signal) => {
         const { exportMesh } = await exportMeshes();
-        const done = await exportMesh(wish, {
+        const done = await exportMesh(request, {
           workshop: this.workshop,
           again: (outcome, format) => {
             this.events.say(EXPORT.writing(format.toUpperCase()));
@@ -42,12 +42,12 @@ export class Exporter {
           },
         });
         if (signal.aborted) return;
-        this.events.exported(wish);
+        this.events.exported(request);
         this.events.say(remark ? `${done}. ${remark}` : done);
       })
       .catch((error: Error) => {
         this.events.say(EXPORT.notExported);
-        this.events.failed(wish, error);
+        this.events.failed(request, error);
       });
   }
 

@@ -21,10 +21,10 @@ export class SeamModel {
   /** The seams found for choices that leave some to find, two vertices per seam edge. */
   private readonly found = new Map<Uint32Array | string, Uint32Array>();
 
-  /** `findSurface` is called when editing begins; null: there is none yet. `wish`: what to begin with. */
+  /** `findSurface` is called when editing begins; null: there is none yet. `asked`: what to begin with. */
   constructor(
     private readonly findSurface: () => Surface | null,
-    private wish: SeamChoice = AUTOMATIC,
+    private asked: SeamChoice = AUTOMATIC,
   ) {}
 
   /** Whether its seams can be edited. */
@@ -44,7 +44,7 @@ export class SeamModel {
   }
 
   get choice(): SeamChoice {
-    return this.wish;
+    return this.asked;
   }
 
   /**
@@ -158,7 +158,7 @@ export class SeamModel {
 
   private change(choice: SeamChoice): void {
     this.forget();
-    this.wish = choice;
+    this.asked = choice;
   }
 
   private forget(): void {

@@ -2,13 +2,13 @@
 // differs from the defaults is named.
 
 import { FLATTEN_DEFAULTS, FLATTEN_OPTIONS, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
-import { STRETCHES } from './controls/atlas-control';
-import { BALANCE_STEP } from './controls/balance-control';
-import { BOUND_RULE } from './controls/bound-control';
-import { fits, type NumberRule } from './controls/number-field';
-import { defaultOptions, MORE } from './model/more-options';
-import { type Mode, RESOLUTIONS, type Settings } from './model/settings';
-import { choiceOf, seamWords } from './seams/seam-choice';
+import { STRETCHES } from '../controls/atlas-control';
+import { BALANCE_STEP } from '../controls/balance-control';
+import { BOUND_RULE } from '../controls/bound-control';
+import { fits, type NumberRule } from '../controls/number-field';
+import { defaultOptions, MORE } from '../model/more-options';
+import { type Mode, RESOLUTIONS, type Settings } from '../model/settings';
+import { choiceOf, seamWords } from '../seams/seam-choice';
 
 type Values = Record<string, unknown>;
 interface Rule extends NumberRule {

@@ -2,7 +2,7 @@
 const DELAY = 2000;
 
 /** What a first layout does not need is loaded once there is one: later the page needs no connection. */
-export class Rest {
+export class LaterParts {
   private isAsked = false;
 
   constructor(private readonly parts: (() => Promise<unknown>)[]) {}

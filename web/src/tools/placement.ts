@@ -1,11 +1,11 @@
 import type { UnwrapResult } from 'abflat';
-import { STILL } from './arrange/motion';
-import type { FlatDrawing } from './model/drawing';
-import type { FaceDensities } from './model/face-densities';
-import type { Unwrapped } from './model/model';
-import type { KnownAtlas } from './model/settings';
-import type { Views } from './view/views';
-import type { Workshop } from './workshop/workshop';
+import { STILL } from '../arrange/motion';
+import type { FlatDrawing } from '../model/drawing';
+import type { FaceDensities } from '../model/face-densities';
+import type { Unwrapped } from '../model/model';
+import type { KnownAtlas } from '../model/settings';
+import type { Views } from '../view/views';
+import type { Workshop } from '../workshop/workshop';
 
 /** The coordinates of an atlas whose charts are in other places, or bent. */
 export interface Changed extends Partial<Pick<UnwrapResult, 'uv' | 'unpacked'>> {

@@ -1,9 +1,9 @@
 // What the browser keeps of a visit: the mesh as it was opened, and what was asked for.
 
 import type { UnwrapResult, VertexBound } from 'abflat';
-import type { FileSource, Outcome, Source } from './model/model';
-import type { KnownAtlas, Marks, Settings } from './model/settings';
-import { staysInPlace } from './session/write-again';
+import type { FileSource, Outcome, Source } from '../model/model';
+import type { KnownAtlas, Marks, Settings } from '../model/settings';
+import { staysInPlace } from '../session/write-again';
 import { settingsOf, textOf } from './settings-text';
 
 export type KeptMesh =

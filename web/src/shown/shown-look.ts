@@ -1,9 +1,9 @@
-import { SHOWN } from './base/english';
-import { isTouch } from './base/touch';
-import type { Notice } from './controls/notice';
-import type { Opened } from './model/model';
-import type { Views } from './view/views';
-import type { Workshop } from './workshop/workshop';
+import { SHOWN } from '../base/english';
+import { isTouch } from '../base/touch';
+import type { Notice } from '../controls/notice';
+import type { Opened } from '../model/model';
+import type { Views } from '../view/views';
+import type { Workshop } from '../workshop/workshop';
 
 /** Bytes that the images of a mesh may take, and again on the graphics card of each view. */
 const memoryFor = (isPhone: boolean) => (isPhone ? 2 ** 25 : 2 ** 27);

@@ -1,7 +1,7 @@
-import { pointsAround } from './seams/pick';
-import type { Solid } from './surface/solid';
-import { type Pixel, pixelOn } from './view/sight';
-import type { ViewName, Views } from './view/views';
+import { pointsAround } from '../seams/pick';
+import type { Solid } from '../surface/solid';
+import { type Pixel, pixelOn } from '../view/sight';
+import type { ViewName, Views } from '../view/views';
 
 export interface BrushEvents {
   isOn(): boolean;

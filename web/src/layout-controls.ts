@@ -17,7 +17,7 @@ import {
 } from './model/settings';
 import type { Editable, SeamPanel } from './seams/seam-panel';
 
-export interface WishEvents {
+export interface ControlEvents {
   /** The user wants something else; `what`, if the settings do not say so. */
   changed(what?: string): void;
   modeChanged(): void;
@@ -25,7 +25,7 @@ export interface WishEvents {
 }
 
 /** Everything that the user can ask of a layout, wherever on the page. */
-export class Wishes {
+export class LayoutControls {
   readonly bound: BoundControl;
   readonly mode: ModeSwitch;
   readonly locks = new Locks();
@@ -39,7 +39,7 @@ export class Wishes {
 
   constructor(
     private readonly seams: SeamPanel,
-    private readonly events: WishEvents,
+    private readonly events: ControlEvents,
   ) {
     const changed = () => events.changed();
     this.bound = new BoundControl(changed, events.say);

@@ -1,5 +1,5 @@
-import type { Outcome, Source } from './model/model';
-import { isMadeByHand, type Settings, sameSettings } from './model/settings';
+import type { Outcome, Source } from '../model/model';
+import { isMadeByHand, type Settings, sameSettings } from '../model/settings';
 
 /** The open meshes with work by hand that is in no exported file. The browser asks before the page is closed with any. */
 export class Unsaved {

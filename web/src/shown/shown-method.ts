@@ -1,11 +1,11 @@
 import type { Comparison, MethodResult } from 'abflat';
-import { element } from './base/dom';
-import { METRICS, SHOWN } from './base/english';
-import type { MetricsPanel } from './details/metrics';
-import type { Outcome } from './model/model';
+import { element } from '../base/dom';
+import { METRICS, SHOWN } from '../base/english';
+import type { MetricsPanel } from '../details/metrics';
+import type { Outcome } from '../model/model';
+import type { Views } from '../view/views';
+import type { Workshop } from '../workshop/workshop';
 import { ownerOf } from './stale-mark';
-import type { Views } from './view/views';
-import type { Workshop } from './workshop/workshop';
 
 /** The layout of another method, shown in place of the result, which is still what gets exported. */
 export class ShownMethod {

@@ -1,16 +1,16 @@
 import type { VertexBound } from 'abflat';
-import { showAlert } from './base/alert';
-import { element } from './base/dom';
-import { BOUNDS } from './base/english';
-import { ownBoundsText } from './base/format';
-import { loadPart, reasonOf } from './base/load-part';
+import { showAlert } from '../base/alert';
+import { element } from '../base/dom';
+import { BOUNDS } from '../base/english';
+import { ownBoundsText } from '../base/format';
+import { loadPart, reasonOf } from '../base/load-part';
+import { LEAST, MOST, meaning, STEP } from '../controls/bound-control';
+import { differences, type VertexBounds, withBound, withoutBound } from '../mesh/vertex-bounds';
+import type { Outcome } from '../model/model';
+import type { Solid } from '../surface/solid';
+import type { Views } from '../view/views';
+import type { Workshop } from '../workshop/workshop';
 import type { BoundBrush } from './bound-brush';
-import { LEAST, MOST, meaning, STEP } from './controls/bound-control';
-import { differences, type VertexBounds, withBound, withoutBound } from './mesh/vertex-bounds';
-import type { Outcome } from './model/model';
-import type { Solid } from './surface/solid';
-import type { Views } from './view/views';
-import type { Workshop } from './workshop/workshop';
 
 export interface PaintingEvents {
   /** What is asked for now. */
@@ -114,7 +114,7 @@ export class BoundPainting {
     if (!mesh) return;
     const [{ BoundBrush }, { Solid }] = await Promise.all([
       loadPart(import('./bound-brush')),
-      loadPart(import('./surface/solid')),
+      loadPart(import('../surface/solid')),
     ]);
     this.brush ??= new BoundBrush(
       this.views,

@@ -1,10 +1,10 @@
-import { hideAlert } from './base/alert';
-import { OWN_IMAGE, SHOWN } from './base/english';
-import { loadPart, reasonOf } from './base/load-part';
-import type { Notice } from './controls/notice';
-import type { Views } from './view/views';
+import { hideAlert } from '../base/alert';
+import { OWN_IMAGE, SHOWN } from '../base/english';
+import { loadPart, reasonOf } from '../base/load-part';
+import type { Notice } from '../controls/notice';
+import type { Views } from '../view/views';
 
-export const ownImages = () => loadPart(import('./files/own-image'));
+export const ownImages = () => loadPart(import('../files/own-image'));
 
 export interface ShownImageEvents {
   say(text: string): void;
