@@ -18,7 +18,7 @@ const SHOWN_IN = ['README.md', 'docs/command-line.md'];
 const OF_THE_PROGRAM = DOCUMENTS.filter((file) => file !== 'CONTRIBUTING.md');
 
 /** Calls of these programs have options of their own. */
-const OF_OTHERS = /\b(cmake|pkg-config) [^`\n]*/g;
+const OF_OTHERS = /\b(cmake|pkg-config|vcpkg) [^`\n]*/g;
 
 /** tests/native/reproduce.test.mjs runs it, on smaller meshes. */
 const RUN_ELSEWHERE = / reproduce /;

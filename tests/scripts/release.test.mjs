@@ -9,9 +9,10 @@ import { ROOT } from '../../scripts/lib/paths.mjs';
 
 const read = (path) => readFileSync(join(ROOT, path), 'utf8');
 
-test('the version is the same for C++ and npm', () => {
+test('the version is the same for C++, npm and vcpkg', () => {
   const header = read('core/include/abflat/version.h').match(/ABFLAT_VERSION "(\S+)"/)?.[1];
   assert.equal(JSON.parse(read('wasm/package.json')).version, header);
+  assert.equal(JSON.parse(read('packaging/vcpkg/vcpkg.json'))['version-semver'], header);
 });
 
 test('every product carries the licences of what is in it', () => {
