@@ -9,7 +9,7 @@ namespace abflat {
 
 /// Outcome of a call. `message` is empty when ok; otherwise it is one sentence that names the place
 /// and what to do.
-struct Status {
+struct [[nodiscard]] Status {
   StatusCode code = StatusCode::Ok;
   std::string message;
 
@@ -18,7 +18,7 @@ struct Status {
 
 /// A value, or the status that says why there is none (then `value` is default constructed).
 template <class T>
-struct Result {
+struct [[nodiscard]] Result {
   Status status;
   T value{};
 

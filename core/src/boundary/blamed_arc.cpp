@@ -1,4 +1,4 @@
-#include "boundary/guilty_arc.h"
+#include "boundary/blamed_arc.h"
 
 #include "base/constants.h"
 #include "check/validity.h"
@@ -29,7 +29,7 @@ std::vector<double> turnedAlong(const IdVector<BoundaryIndex, double>& boundaryA
   return turned;
 }
 
-Arc guiltyArc(std::size_t i, std::size_t j, const std::vector<double>& turned) {
+Arc blamedArc(std::size_t i, std::size_t j, const std::vector<double>& turned) {
   const std::size_t n = turned.size() - 1;
   const double inner = turned[j + 1] - turned[i + 1];
   return inner < turned[n] - inner ? Arc{i + 1, j - i} : Arc{j + 1, n - (j - i)};

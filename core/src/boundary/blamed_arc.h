@@ -28,6 +28,6 @@ struct Arc {
 
 /// Of the two arcs between crossing edges i < j, the one that turns more clockwise: it closes a
 /// loop the wrong way round, or folds two parts of the boundary over each other.
-Arc guiltyArc(std::size_t i, std::size_t j, const std::vector<double>& turned);
+Arc blamedArc(std::size_t i, std::size_t j, const std::vector<double>& turned);
 
 }  // namespace abflat

@@ -8,7 +8,7 @@
 #include "base/number_text.h"
 #include "base/point2.h"
 #include "base/portable_math.h"
-#include "boundary/guilty_arc.h"
+#include "boundary/blamed_arc.h"
 #include "layout/pose.h"
 #include "mesh/triangle_geometry.h"
 #include "refine/outline_shape.h"
@@ -39,7 +39,7 @@ class Outline {
     const std::size_t n = shift_.size();
     std::vector<int> begun(2 * n + 1, 0);
     for (const auto& [i, j] : crossings.first) {
-      const Arc arc = guiltyArc(i, j, turned);
+      const Arc arc = blamedArc(i, j, turned);
       ++begun[arc.first % n];
       --begun[arc.first % n + arc.count];
     }
@@ -166,9 +166,9 @@ double extentOf(const DiskChart& chart, const std::vector<double>& uv) {
 
 }  // namespace
 
-DrawnBack drawBack(const TouchingLayout& layout, double first, Crossings left,
+MovedBack moveBack(const TouchingLayout& layout, double first, Crossings left,
                    const std::function<Crossings(const std::vector<double>&)>& crossings) {
-  DrawnBack out;
+  MovedBack out;
   Outline outline(layout.chart, layout.uv, layout.straight);
   for (int round = 0; round < kRounds && left.count > 0; ++round) {
     if (!outline.moveOn(left, layout.turned, first)) return out;
@@ -181,10 +181,10 @@ DrawnBack drawBack(const TouchingLayout& layout, double first, Crossings left,
   return out;
 }
 
-std::string drawnBackNote(const DrawnBack& drawn, const DiskChart& chart) {
-  return "the boundary touched itself; " + std::to_string(drawn.moved) +
+std::string movedBackNote(const MovedBack& back, const DiskChart& chart) {
+  return "the boundary touched itself; " + std::to_string(back.moved) +
          " of its vertices were pulled back by up to " +
-         withDigits(drawn.farthest / extentOf(chart, drawn.uv), 1) + " of its extent";
+         withDigits(back.farthest / extentOf(chart, back.uv), 1) + " of its extent";
 }
 
 Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
@@ -196,13 +196,13 @@ Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
   if (isDelaunay || !(cells > 0)) return out;
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, crossing.solution));
   const auto crossings = [&](const std::vector<double>& uv) { return flattener.crossings(uv); };
-  DrawnBack drawn = drawBack({chart, crossing.uv, flattener.straight(), turned}, cells,
-                             crossing.validity.crossings, crossings);
-  if (!drawn.isApart) return out;
-  out.uv = drawn.uv;
+  MovedBack back = moveBack({chart, crossing.uv, flattener.straight(), turned}, cells,
+                            crossing.validity.crossings, crossings);
+  if (!back.isApart) return out;
+  out.uv = back.uv;
   fitArea(chart, out.uv);
   flattener.measure(out);
-  out.fallbacks.push_back(drawnBackNote(drawn, chart));
+  out.fallbacks.push_back(movedBackNote(back, chart));
   return out;
 }
 

@@ -16,7 +16,7 @@ struct TouchingLayout {
   const std::vector<double>& turned;  ///< see turnedAlong()
 };
 
-struct DrawnBack {
+struct MovedBack {
   bool isApart = false;
   std::vector<double> uv;
   std::size_t moved = 0;  ///< number of boundary vertices
@@ -26,11 +26,11 @@ struct DrawnBack {
 /// Draws the arcs that cross back into the chart: by `first`, then twice as far each time, until
 /// `crossings`, which were `left` at first, finds none. Each triangle keeps its orientation, so
 /// there may be too little room.
-DrawnBack drawBack(const TouchingLayout& layout, double first, Crossings left,
+MovedBack moveBack(const TouchingLayout& layout, double first, Crossings left,
                    const std::function<Crossings(const std::vector<double>&)>& crossings);
 
-/// What was drawn back, in one sentence.
-std::string drawnBackNote(const DrawnBack& drawn, const DiskChart& chart);
+/// What was moved back, in one sentence.
+std::string movedBackNote(const MovedBack& back, const DiskChart& chart);
 
 /// Takes a layout whose only defect is that its boundary crosses or touches itself, and draws the
 /// arcs that cross back into the chart, by little compared with the triangles there. That needs no

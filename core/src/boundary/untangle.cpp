@@ -9,7 +9,7 @@
 #include "base/constants.h"
 #include "base/portable_math.h"
 #include "base/stable_order.h"
-#include "boundary/guilty_arc.h"
+#include "boundary/blamed_arc.h"
 
 namespace abflat {
 namespace {
@@ -22,7 +22,7 @@ constexpr int kRelaxations = 3;    ///< bisections afterwards
 constexpr double kNegligible = 0.002;
 
 /// A pair of crossing edges, and what closes between them.
-struct Guilty {
+struct Blamed {
   Arc arc;
   std::size_t i, j;
 };
@@ -30,19 +30,19 @@ struct Guilty {
 /// Picks the shortest arc and then every further one, by length, that does not overlap those
 /// picked, so that together they have no more vertices than the boundary. Arcs around a shorter one
 /// mostly cross only because the shorter one does.
-std::vector<Guilty> apart(std::vector<Guilty> guilty, std::size_t n) {
+std::vector<Blamed> apart(std::vector<Blamed> blamed, std::size_t n) {
   const std::vector<std::uint32_t> order = stableOrder(
-      guilty.size(),
-      [&](std::uint32_t a, std::uint32_t b) { return guilty[a].arc.count < guilty[b].arc.count; });
+      blamed.size(),
+      [&](std::uint32_t a, std::uint32_t b) { return blamed[a].arc.count < blamed[b].arc.count; });
   std::vector<std::uint8_t> isTaken(n, 0);
   std::set<std::size_t> starts;
   const auto startsWithin = [&](std::size_t from, std::size_t to) {
     const auto found = starts.lower_bound(from);
     return found != starts.end() && *found < to;
   };
-  std::vector<Guilty> out;
+  std::vector<Blamed> out;
   for (const std::uint32_t i : order) {
-    const Guilty& g = guilty[i];
+    const Blamed& g = blamed[i];
     const std::size_t from = g.arc.first % n, to = from + g.arc.count;
     if (isTaken[from] || isTaken[(to - 1) % n] || startsWithin(from, std::min(to, n)) ||
         (to > n && startsWithin(0, to - n)))
@@ -103,11 +103,11 @@ class Tightening {
   BoundaryBounds next(const Attempt& from) {
     const IdVector<BoundaryIndex, double> angle = boundaryAngles(chart_, from.solution);
     const std::vector<double> turned = turnedAlong(angle);
-    std::vector<Guilty> guilty;
+    std::vector<Blamed> blamed;
     for (const auto& [i, j] : from.validity.crossings.first)
-      guilty.push_back({guiltyArc(i, j, turned), i, j});
+      blamed.push_back({blamedArc(i, j, turned), i, j});
     BoundaryBounds t = from.t;
-    for (const Guilty& g : apart(std::move(guilty), angle.size())) tightenArc(g, from, angle, t);
+    for (const Blamed& g : apart(std::move(blamed), angle.size())) tightenArc(g, from, angle, t);
     for (const BoundaryIndex i : t.ids())
       if (t[i] < from.t[i]) push_[i] *= kHarder;
     return t;
@@ -119,7 +119,7 @@ class Tightening {
   static constexpr double kLeastPush = 1e-4, kMostPush = 0.5;
 
   /// Both arcs open by about the amount they are turned times their length.
-  double amountFor(const Guilty& g, const Attempt& from) const {
+  double amountFor(const Blamed& g, const Attempt& from) const {
     const std::size_t n = push_.size();
     const OutlinePoints at{chart_, from.uv};
     double reach = 0, push = 1;
@@ -132,7 +132,7 @@ class Tightening {
     return std::clamp(push * (reach > 0 ? depth / reach : kMostPush), kLeastPush, kMostPush);
   }
 
-  void tightenArc(const Guilty& g, const Attempt& from,
+  void tightenArc(const Blamed& g, const Attempt& from,
                   const IdVector<BoundaryIndex, double>& angle, BoundaryBounds& t) const {
     const std::size_t n = angle.size();
     std::vector<double> inArc(g.arc.count);

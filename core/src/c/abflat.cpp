@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "abflat/option_text.h"
 #include "abflat/unwrap.h"
 #include "abflat/version.h"
 #include "base/guarded.h"
-#include "base/number_text.h"
 
 struct abflat_options {
   abflat::UnwrapOptions values;
@@ -34,25 +34,6 @@ Status notAValue(const OptionInfo& option, const std::string& text) {
           std::string(option.name) + " cannot be \"" + text + "\"; it is " + option.range};
 }
 
-/// `text` as on the command line: a word, a number with or without a unit, or a boolean.
-bool readValue(const UnwrapOptions& options, int index, std::string_view text, double& value,
-               bool& isWord) {
-  if (optionInfos(options)[index].isSwitch) {
-    value = text == "true" || text == "1";
-    return value != 0 || text == "false" || text == "0";
-  }
-  value = wordValue(options, index, text, isWord);
-  if (isWord || text.empty()) return isWord;
-  double unit = unitSize(options, index, text.back());
-  if (unit > 0)
-    text.remove_suffix(1);
-  else
-    unit = 1;
-  if (!parseDouble(text, value)) return false;
-  value *= unit;
-  return true;
-}
-
 Status set(UnwrapOptions& options, const std::string& name, const std::string& text) {
   if (name == "seams" || name == "--seams") {
     Result<SeamSources> seams = parseSeams(text);
@@ -64,7 +45,7 @@ Status set(UnwrapOptions& options, const std::string& name, const std::string& t
     if (name != infos[i].name && name != infos[i].flag) continue;
     double value = 0;
     bool isWord = false;
-    if (readValue(options, i, text, value, isWord) && setOption(options, i, value, isWord))
+    if (readOption(options, i, text, value, isWord) && setOption(options, i, value, isWord))
       return {};
     return notAValue(infos[i], text);
   }

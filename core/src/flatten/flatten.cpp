@@ -92,7 +92,7 @@ class Flattening {
   Result<FlattenResult> run() {
     if (Status s = check(); !s.ok()) return s;
     if (Status s = seeDisk(); !s.ok()) return s;
-    if (Status s = readWishes(); !s.ok()) return s;
+    if (Status s = readConstraints(); !s.ok()) return s;
     if (Status s = layOut(); !s.ok()) return s;
     finish();
     return std::move(out_);
@@ -122,7 +122,7 @@ class Flattening {
   }
 
   /// Reads straight runs, bounds and pins, and maps them to boundary places of the chart.
-  Status readWishes() {
+  Status readConstraints() {
     const DiskChart& chart = prepared_.chart;
     Result<StraightPlaces> straight = straightPlaces(chart, options_.straight);
     if (!straight.ok()) return straight.status;
@@ -164,7 +164,7 @@ class Flattening {
 
   Attempt bestLayout(ChartFlattener& flattener, const SolverOptions& solver) {
     const OutlineGoal goal = outlineGoal(options_, bounds_);
-    const RefineWishes refining{
+    const RefineConstraints refining{
         options_.balance,    bounds_,     pins_,
         solver.allowedBytes, solver.pool, [this] {
                                   return monitor_.tellStage(Stage::Refine); }};

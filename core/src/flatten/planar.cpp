@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "boundary/blamed_arc.h"
 #include "boundary/contacts.h"
-#include "boundary/guilty_arc.h"
 #include "boundary/move_apart.h"
 #include "layout/pose.h"
 #include "mesh/triangle_geometry.h"
@@ -65,13 +65,13 @@ void drawBackContacts(const DiskChart& chart, Attempt& a) {
   };
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, a.uv));
   constexpr double kFewCells = 4;
-  DrawnBack drawn = drawBack({chart, a.uv, {}, turned}, kFewCells * contactCell(chart, a.uv),
-                             a.validity.crossings, crossings);
-  if (!drawn.isApart) return;
-  a.uv = drawn.uv;
+  MovedBack back = moveBack({chart, a.uv, {}, turned}, kFewCells * contactCell(chart, a.uv),
+                            a.validity.crossings, crossings);
+  if (!back.isApart) return;
+  a.uv = back.uv;
   fitArea(chart, a.uv);
   a.validity = checkSeparated(chart, a.uv);
-  a.fallbacks.push_back(drawnBackNote(drawn, chart));
+  a.fallbacks.push_back(movedBackNote(back, chart));
 }
 
 }  // namespace

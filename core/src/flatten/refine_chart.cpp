@@ -18,18 +18,19 @@ constexpr double kFree = 2;
 
 /// Vertices that must not move: pinned ones, and the boundary if it has to keep its angles.
 IdVector<ChartVertex, std::uint8_t> fixedVertices(const DiskChart& chart,
-                                                  const RefineWishes& wishes, bool keepsOutline) {
+                                                  const RefineConstraints& constraints,
+                                                  bool keepsOutline) {
   IdVector<ChartVertex, std::uint8_t> out;
-  if (wishes.pins.empty() && !keepsOutline) return out;
+  if (constraints.pins.empty() && !keepsOutline) return out;
   out.assign(chart.vertexCount(), 0);
-  for (const ChartPin& pin : wishes.pins) out[pin.vertex] = 1;
+  for (const ChartPin& pin : constraints.pins) out[pin.vertex] = 1;
   if (keepsOutline)
     for (const ChartCorner h : chart.boundary) out[chart.vertexOfCorner[h]] = 1;
   return out;
 }
 
-bool isBounded(const RefineWishes& wishes) {
-  return std::any_of(wishes.bounds.begin(), wishes.bounds.end(),
+bool isBounded(const RefineConstraints& constraints) {
+  return std::any_of(constraints.bounds.begin(), constraints.bounds.end(),
                      [](double t) { return t < kFree; });
 }
 
@@ -44,18 +45,18 @@ int solvesFor(const DiskChart& chart, Outline outline) {
   return static_cast<int>(std::clamp(kTriangles / chart.triangleCount(), fewest, most));
 }
 
-RefineOptions optionsFor(const ChartFlattener& flattener, const RefineWishes& wishes,
+RefineOptions optionsFor(const ChartFlattener& flattener, const RefineConstraints& constraints,
                          Outline outline) {
   RefineOptions out;
-  out.balance = wishes.balance;
-  out.isFixed = fixedVertices(flattener.chart(), wishes, outline == Outline::Fixed);
+  out.balance = constraints.balance;
+  out.isFixed = fixedVertices(flattener.chart(), constraints, outline == Outline::Fixed);
   out.maxSolves = solvesFor(flattener.chart(), outline);
   constexpr double kUnseen = 1e-4;  // far below any bound on stretch
-  if (wishes.mayBeRough) out.leastHeld = kUnseen;
+  if (constraints.mayBeRough) out.leastHeld = kUnseen;
   out.eliminationRank = flattener.eliminationRank();
-  out.allowedBytes = wishes.allowedBytes;
-  out.pool = wishes.pool;
-  out.onStep = wishes.onStep;
+  out.allowedBytes = constraints.allowedBytes;
+  out.pool = constraints.pool;
+  out.onStep = constraints.onStep;
   return out;
 }
 
@@ -77,7 +78,7 @@ std::string limitOf(const OutlineRules& rules, const DiskChart& chart,
 }
 
 /// Pulls parts that are nearly flat together again, as flattening does.
-Attempt drawnBack(ChartFlattener& flattener, const Attempt& touching) {
+Attempt movedBack(ChartFlattener& flattener, const Attempt& touching) {
   Attempt out = movedApart(flattener, touching);
   for (std::size_t i = touching.fallbacks.size(); i < out.fallbacks.size(); ++i)
     out.fallbacks[i].insert(0, "refining: ");
@@ -94,7 +95,7 @@ Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const A
   out.uv = std::move(found.uv);
   flattener.measure(out);
   if (isTangled(out) && !isPinned) {
-    out = drawnBack(flattener, out);
+    out = movedBack(flattener, out);
     found.energy = energyOf(chart, out.uv, options.balance);
   }
   out.refined = {found.energyBefore, found.energy, found.steps, limitOf(found)};
@@ -122,18 +123,18 @@ BoundaryBounds lowered(BoundaryBounds t, const StraightPlaces& straight, double&
 
 /// Refines with an outline that stays straight where asked and within its bounds, but may change
 /// its form. Starts some way inside the bounds. Returns nothing if that gains nothing.
-std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& wishes,
+std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineConstraints& constraints,
                                 const Attempt& attempt) {
   constexpr double kLeast = 1e-6;
   constexpr int kSteps = 40;
-  if (!wishes.pins.empty() || attempt.solver == Solver::Tutte) return std::nullopt;
+  if (!constraints.pins.empty() || attempt.solver == Solver::Tutte) return std::nullopt;
   const DiskChart& chart = flattener.chart();
   OutlineRules rules{flattener.straight(), {}, 0};
   Attempt start = attempt;
   double by = 0;
-  if (isBounded(wishes)) {
-    rules.bounds = wishes.bounds;
-    const BoundaryBounds t = lowered(wishes.bounds, flattener.straight(), by);
+  if (isBounded(constraints)) {
+    rules.bounds = constraints.bounds;
+    const BoundaryBounds t = lowered(constraints.bounds, flattener.straight(), by);
     if (!(by > kLeast)) return std::nullopt;
     rules.margin = by * kPi;
     BoundaryBounds both = attempt.t;
@@ -149,10 +150,10 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineWishes& w
     start.fallbacks = std::move(notes);
   }
   flattener.endSolving();  // so that one factor is held at a time
-  RefineOptions options = optionsFor(flattener, wishes, Outline::Shaped);
+  RefineOptions options = optionsFor(flattener, constraints, Outline::Shaped);
   options.maxSteps = kSteps;
   options.outline = std::move(rules);
-  const double before = energyOf(chart, attempt.uv, wishes.balance);
+  const double before = energyOf(chart, attempt.uv, constraints.balance);
   start = refined(flattener, options, start);
   if (!start.valid() || !(start.refined->energy < before)) return std::nullopt;
   Attempt out = attempt;
@@ -189,33 +190,35 @@ class RefiningTime {
 }  // namespace
 
 Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, const Effort& effort,
-                         const RefineWishes& wishes) {
-  const bool isFree =
-      goal.isAuto && !isBounded(wishes) && flattener.straight().empty() && wishes.pins.empty();
-  if (!(wishes.balance > 0) || !isFree) {
+                         const RefineConstraints& constraints) {
+  const bool isFree = goal.isAuto && !isBounded(constraints) && flattener.straight().empty() &&
+                      constraints.pins.empty();
+  if (!(constraints.balance > 0) || !isFree) {
     Attempt out = flattenChart(flattener, goal, effort);
-    refineChart(flattener, wishes, out);
+    refineChart(flattener, constraints, out);
     return out;
   }
   Attempt first =
-      wishes.mayBeRough ? flattener.roughAttempt(goal.t) : flattener.attempt(goal.t, nullptr);
+      constraints.mayBeRough ? flattener.roughAttempt(goal.t) : flattener.attempt(goal.t, nullptr);
   if (isTangled(first)) {
     const RefiningTime time(flattener);
-    Attempt out = refined(flattener, optionsFor(flattener, wishes, Outline::Free), first);
+    Attempt out = refined(flattener, optionsFor(flattener, constraints, Outline::Free), first);
     if (out.valid()) return out;
   }
   // Where needles need more digits than a rough solution has, refining cannot bring them back.
   constexpr double kSuspicious = 2;
   const bool isGood = first.valid() && first.distortion.symmetricDirichlet < kSuspicious;
   // Where even a rough solution was not found, no exact one is.
-  if (wishes.mayBeRough && !isGood && first.converged()) first = flattener.attempt(goal.t, &first);
+  if (constraints.mayBeRough && !isGood && first.converged())
+    first = flattener.attempt(goal.t, &first);
   Attempt out = madeValid(flattener, std::move(first), goal.t, goal.untangle, effort);
-  refineChart(flattener, wishes, out);
+  refineChart(flattener, constraints, out);
   return out;
 }
 
-void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt) {
-  if (!(wishes.balance > 0) || attempt.isCancelled()) return;
+void refineChart(ChartFlattener& flattener, const RefineConstraints& constraints,
+                 Attempt& attempt) {
+  if (!(constraints.balance > 0) || attempt.isCancelled()) return;
   // In some meshes most charts are single triangles, or flat.
   constexpr double kRounding = 1e-9;
   if (attempt.distortion.symmetricDirichlet <= 1 + kRounding && attempt.valid()) return;
@@ -224,17 +227,17 @@ void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt&
     return;
   }
   const RefiningTime time(flattener);
-  const bool isFree = !isBounded(wishes) && flattener.straight().empty();
+  const bool isFree = !isBounded(constraints) && flattener.straight().empty();
   std::optional<Attempt> shaped;
-  if (!isFree) shaped = reshaped(flattener, wishes, attempt);
+  if (!isFree) shaped = reshaped(flattener, constraints, attempt);
   if (shaped && isWellShaped(*shaped->refined)) {
     attempt = std::move(*shaped);
     return;
   }
   flattener.endSolving();  // so that one factor is held at a time
-  Attempt out =
-      refined(flattener, optionsFor(flattener, wishes, isFree ? Outline::Free : Outline::Fixed),
-              attempt, !wishes.pins.empty());
+  Attempt out = refined(flattener,
+                        optionsFor(flattener, constraints, isFree ? Outline::Free : Outline::Fixed),
+                        attempt, !constraints.pins.empty());
   if (!isFree) out.refined->limit = "the boundary keeps its shape to keep its angles";
   if (shaped && !(out.valid() && out.refined->energy < shaped->refined->energy))
     out = std::move(*shaped);

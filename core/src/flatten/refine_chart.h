@@ -8,7 +8,7 @@
 
 namespace abflat {
 
-struct RefineWishes {
+struct RefineConstraints {
   double balance = 0;     ///< 0 turns refining off
   BoundaryBounds bounds;  ///< empty: no bounds
   std::vector<ChartPin> pins;
@@ -21,10 +21,10 @@ struct RefineWishes {
 /// Flattens a chart like flattenChart(), and refines it. A free boundary that crosses itself may
 /// stop doing so once lengths are kept, so refining is tried before untangling.
 Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, const Effort& effort,
-                         const RefineWishes& wishes);
+                         const RefineConstraints& constraints);
 
 /// Trades angles of a valid layout for lengths, and checks and measures it again. Pins, straight
 /// runs and bounds that were asked for are kept.
-void refineChart(ChartFlattener& flattener, const RefineWishes& wishes, Attempt& attempt);
+void refineChart(ChartFlattener& flattener, const RefineConstraints& constraints, Attempt& attempt);
 
 }  // namespace abflat

@@ -74,7 +74,7 @@ class Merger {
   bool isPromising(const CutSurface& s, const ChartOutlines& outlines, const SharedRun& run) const {
     const OutlinePairs pairs = pairsOf(mesh_, s, run, outlines[run.a]);
     const Outline &a = outlines[run.a], &b = outlines[run.b];
-    if (!isHinge_ && roomTogether(a, b, pairs) <= mostRoom(run)) return true;
+    if (!isHinge_ && hullTogether(a, b, pairs) <= mostRoom(run)) return true;
     if (!isHinge_ && longestExtent(a) + longestExtent(b) > options_.speck) return false;
     // Joining along a part of a seam changes so little that the union is as good as known.
     const Outline both = outlineTogether(a, b, pairs);

@@ -1,4 +1,4 @@
-#include "seam/room.h"
+#include "seam/outlines_together.h"
 
 #include <cmath>
 #include <complex>
@@ -34,7 +34,7 @@ struct Motion {
 
 }  // namespace
 
-double roomTogether(const Outline& a, const Outline& b, const OutlinePairs& pairs) {
+double hullTogether(const Outline& a, const Outline& b, const OutlinePairs& pairs) {
   const Motion motion(a, b, pairs);
   const double apart = hullArea(a) + hullArea(b);
   if (motion.turn == 0.0 || !(apart > 0)) return std::numeric_limits<double>::infinity();

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cut/cut_surface.h"
-#include "seam/room.h"
+#include "seam/outlines_together.h"
 
 namespace abflat {
 

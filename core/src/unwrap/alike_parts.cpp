@@ -75,7 +75,7 @@ CornerMatch alikeComponents(const SurfaceMap& map, const Seams& given, const Fix
   return matchOf(cells, isLeftOut, options);
 }
 
-CornerMatch alikeCharts(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wishes,
+CornerMatch alikeCharts(const CutMesh& mesh, const IdVector<ChartId, ChartConstraints>& constraints,
                         const FlatCharts& flat, const UnwrapOptions& options,
                         const UnfitFaces& unfit) {
   const SurfaceMap& map = mesh.map;
@@ -88,7 +88,7 @@ CornerMatch alikeCharts(const CutMesh& mesh, const IdVector<ChartId, ChartWishes
     for (const ChartCorner c : chart.surfaceCorners())
       if (const ChartCorner o = chart.twin[c]; o.exists() && o < chart.surfaceCorners().size())
         twin[chart.onSurface(c)] = chart.onSurface(o);
-    const StraightPlaces& places = wishes[i].straight;
+    const StraightPlaces& places = constraints[i].straight;
     for (const BoundaryIndex k : places.ids())
       straight[chart.onSurface(chart.boundary[k])] =
           places[k] + places[BoundaryIndex((k + 1) % places.size())];

@@ -16,7 +16,7 @@ CornerMatch alikeComponents(const SurfaceMap& map, const Seams& given, const Fix
 
 /// Finds the charts that are alike: with the same straight lines, material and density, valid and
 /// not fixed. Empty if no two are.
-CornerMatch alikeCharts(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wishes,
+CornerMatch alikeCharts(const CutMesh& mesh, const IdVector<ChartId, ChartConstraints>& constraints,
                         const FlatCharts& flat, const UnwrapOptions& options,
                         const UnfitFaces& unfit);
 

@@ -46,10 +46,11 @@ bool isDrawnOut(const DiskChart& chart, const std::vector<double>& uv) {
   return inUv > kMany * onSurface;
 }
 
-void describe(const DiskChart& chart, const ChartWishes& wishes, Attempt& attempt, FlatChart& out) {
-  if (attempt.straight) attempt.straight->released = wishes.released;
+void describe(const DiskChart& chart, const ChartConstraints& constraints, Attempt& attempt,
+              FlatChart& out) {
+  if (attempt.straight) attempt.straight->released = constraints.released;
   out.problem = findProblem(chart, attempt);
-  keepMeasures(chart, wishes.straight, attempt, out);
+  keepMeasures(chart, constraints.straight, attempt, out);
   out.isDrawnOut = isDrawnOut(chart, inChartUnit(chart, out.unpacked));
 }
 
@@ -60,15 +61,16 @@ FlatChart projectedChart(const DiskChart& chart, Attempt& attempt) {
   return out;
 }
 
-bool isAnyStraight(const ChartWishes& wishes) {
-  return std::find(wishes.straight.begin(), wishes.straight.end(), 1) != wishes.straight.end();
+bool isAnyStraight(const ChartConstraints& constraints) {
+  return std::find(constraints.straight.begin(), constraints.straight.end(), 1) !=
+         constraints.straight.end();
 }
 
-/// The same wishes without straight places.
-ChartWishes released(const DiskChart& chart, ChartWishes wishes) {
-  wishes.released += chart.boundary.size() - placesThatTurn(chart, wishes.straight);
-  wishes.straight.assign(chart.boundary.size(), 0);
-  return wishes;
+/// The same constraints without straight places.
+ChartConstraints released(const DiskChart& chart, ChartConstraints constraints) {
+  constraints.released += chart.boundary.size() - placesThatTurn(chart, constraints.straight);
+  constraints.straight.assign(chart.boundary.size(), 0);
+  return constraints;
 }
 
 /// Steps are cheap on a small chart, and saving a seam is worth many of them.
@@ -87,9 +89,9 @@ Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionVa
 }  // namespace
 
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
-                     const ChartWishes& wishes, Patience patience, ThreadPool& pool,
+                     const ChartConstraints& constraints, Patience patience, ThreadPool& pool,
                      const std::function<bool()>& goesOn) {
-  if (options.t == kAutoT && wishes.pins.empty() && wishes.straight.empty())
+  if (options.t == kAutoT && constraints.pins.empty() && constraints.straight.empty())
     if (std::optional<Attempt> attempt = projectPlanar(chart))
       return projectedChart(chart, *attempt);
   SolverOptions solver;
@@ -98,18 +100,18 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   solver.allowedBytes = allowedBytes(options.memory);
   ChartFlattener flattener(chart, solver, [&](Stage) { goesOn(); });
   flattener.requireSeparation();
-  flattener.requireStraight(wishes.straight);
+  flattener.requireStraight(constraints.straight);
   // The n angles that may differ from pi sum to (n - 2) pi, so a chart with few of them cannot be
   // as convex as others.
-  const auto n = static_cast<double>(placesThatTurn(chart, wishes.straight));
+  const auto n = static_cast<double>(placesThatTurn(chart, constraints.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const BoundaryBounds bounds(chart.boundary.size(), t);
   flattener.requireBounds(bounds);
   const OutlineGoal goal = options.t == kAutoT ? automaticGoal(bounds) : OutlineGoal{bounds};
-  RefineWishes refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
+  RefineConstraints refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
   refining.mayBeRough = true;
   const Effort effort = effortFor(patience, chart, options);
-  const bool isPinned = !wishes.pins.empty();
+  const bool isPinned = !constraints.pins.empty();
   Attempt attempt = isPinned ? flattenChart(flattener, goal, effort)
                              : flattenAndRefine(flattener, goal, effort, refining);
   if (attempt.isCancelled()) return {};
@@ -117,8 +119,8 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   if (isPinned) {
     Attempt alone = attempt;
     refineChart(flattener, refining, alone);
-    refining.pins = wishes.pins;
-    pin(flattener, wishes.pins, {solver.allowedBytes, &pool}, attempt);
+    refining.pins = constraints.pins;
+    pin(flattener, constraints.pins, {solver.allowedBytes, &pool}, attempt);
     refineChart(flattener, refining, attempt);
     out.uv = inMeshUnit(chart, attempt);
     out.unpacked = inMeshUnit(chart, alone);
@@ -126,10 +128,10 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   } else {
     out.unpacked = inMeshUnit(chart, attempt);
   }
-  describe(chart, wishes, attempt, out);
+  describe(chart, constraints, attempt, out);
   out.patience = patience;
-  if (out.problem.empty() || isPinned || !isAnyStraight(wishes)) return out;
-  FlatChart free = flattenOne(chart, options, released(chart, wishes), patience, pool, goesOn);
+  if (out.problem.empty() || isPinned || !isAnyStraight(constraints)) return out;
+  FlatChart free = flattenOne(chart, options, released(chart, constraints), patience, pool, goesOn);
   if (free.problem.empty()) return free;
   return out;
 }

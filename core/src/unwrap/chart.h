@@ -72,7 +72,7 @@ struct FlatChart {
 using FlatCharts = IdVector<ChartId, FlatChart>;
 
 /// What is asked of one chart beyond the options.
-struct ChartWishes {
+struct ChartConstraints {
   std::vector<ChartPin> pins;  ///< positions in the atlas
   StraightPlaces straight;
   std::size_t released = 0;  ///< places that should be straight as well, but are not
@@ -90,7 +90,7 @@ bool scaleToSurface(const DiskChart& chart, std::vector<double>& uv);
 
 /// `goesOn` is called often, from the calling thread; when it returns false, the layout is empty.
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
-                     const ChartWishes& wishes, Patience patience, ThreadPool& pool,
+                     const ChartConstraints& constraints, Patience patience, ThreadPool& pool,
                      const std::function<bool()>& goesOn);
 
 /// Decides again whether the layout is valid, from its coordinates in the atlas.

@@ -1,4 +1,4 @@
-#include "unwrap/room.h"
+#include "unwrap/cuts_for_packing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 /// What cuts should achieve: the largest logarithm of the texel density, less a share of the length
 /// of the cuts.
-struct RoomWish {
+struct PackingGoal {
   double seamWorth = 0;    ///< cost, in that logarithm, of seams as long as the root of the area
   double utilization = 0;  ///< more than this counts no more
   double mostCost = HUGE_VAL;  ///< of a cut, for its length
@@ -28,7 +28,7 @@ struct RoomWish {
 /// What packing hardly ever exceeds.
 constexpr double kMostUtilization = 0.92;
 
-RoomWish wishOf(const UnwrapOptionValues& options) {
+PackingGoal goalOf(const UnwrapOptionValues& options) {
   constexpr double kSeamWorth = 0.04;
   // What lies well is not cut where that would be in plain sight.
   constexpr double kAlongFeatures = 0.5;
@@ -128,11 +128,11 @@ std::vector<int> partsFor(const std::vector<LongChart>& charts, double side, dou
 }
 
 /// Searches for the best cuts.
-class RoomSearch {
+class CutSearch {
  public:
   /// `wanted`: the gain in the logarithm of the density that counts.
-  RoomSearch(PieceFitting& uncut, const RoomWish& wish, double wanted, Tries tries)
-      : uncut_(uncut), wish_(wish), wanted_(wanted), side_(uncut.leastSide()), tries_(tries) {}
+  CutSearch(PieceFitting& uncut, const PackingGoal& goal, double wanted, Tries tries)
+      : uncut_(uncut), goal_(goal), wanted_(wanted), side_(uncut.leastSide()), tries_(tries) {}
 
   /// Cuts all long charts at once, in equal parts: as long as one of them is too long for a smaller
   /// square, cutting another gains nothing. `most`: largest gain to try; parts for more than is
@@ -153,7 +153,7 @@ class RoomSearch {
         before = std::move(parts);
         const int cuts =
             std::accumulate(before.begin(), before.end(), 0) - static_cast<int>(before.size());
-        if (cuts <= kMostCuts && wanted_ - wish_.seamWorth * PieceFitting::costOf(cuts, 0) > best_)
+        if (cuts <= kMostCuts && wanted_ - goal_.seamWorth * PieceFitting::costOf(cuts, 0) > best_)
           attemptParts(charts, before);
       }
     }
@@ -186,14 +186,14 @@ class RoomSearch {
     for (std::size_t i = 0; i < charts.size(); ++i)
       if (parts[i] > 1) now->cutAcross(charts[i], parts[i]);
     if (now->count() == 0) return;
-    const double least = best_ + wish_.seamWorth * now->cost();
+    const double least = best_ + goal_.seamWorth * now->cost();
     if (now->fits(side_ * portable::exp(-least))) keep(std::move(now));
   }
 
   /// If the cuts are the best so far.
   void keep(std::unique_ptr<PieceFitting> now) {
     const double gained = std::min(portable::log(side_ / now->leastSide()), wanted_);
-    const double worth = gained - wish_.seamWorth * now->cost();
+    const double worth = gained - goal_.seamWorth * now->cost();
     if (!(worth > best_)) return;
     best_ = worth;
     reached_ = gained;
@@ -203,7 +203,7 @@ class RoomSearch {
   /// Whether cuts can achieve that gain.
   bool attempt(const PieceFitting& from, double gain) {
     auto now = std::make_unique<PieceFitting>(from);
-    const double affordable = (gain - best_) / wish_.seamWorth;
+    const double affordable = (gain - best_) / goal_.seamWorth;
     int& tries = best_ > 0 ? tries_.fruitful : tries_.fruitless;
     if (!now->fitInto(side_ * portable::exp(-gain), affordable, tries)) return false;
     keep(std::move(now));
@@ -211,7 +211,7 @@ class RoomSearch {
   }
 
   const PieceFitting& uncut_;
-  const RoomWish wish_;
+  const PackingGoal goal_;
   const double wanted_, side_;
   Tries tries_;
   double best_ = 0, reached_ = 0;
@@ -220,46 +220,46 @@ class RoomSearch {
 
 }  // namespace
 
-RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts) {
+CutMode cutModeOf(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts) {
   constexpr std::size_t kMostToCutLong = 512;
   const auto isFixed = [](const FlatChart& c) { return c.isFixed; };
   if (options.packingCuts == PackingCuts::Never || options.minUtilization == 0 ||
       options.texelDensity != kAutoTexelDensity || !options.seams.isAuto || options.t != kAutoT ||
       std::any_of(flat.begin(), flat.end(), isFixed))
-    return RoomMode::None;
+    return CutMode::None;
   const std::size_t large = countOf(largeCharts(flat, cuts)),
                     count = large > cuts ? large - cuts : 0;
-  if (large == 0 || count > kMostToCutLong) return RoomMode::None;
+  if (large == 0 || count > kMostToCutLong) return CutMode::None;
   const bool isAny = !options.straightSeams && count <= kMostToCut;
-  return isAny ? RoomMode::All : RoomMode::Long;
+  return isAny ? CutMode::All : CutMode::Long;
 }
 
-RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
-                      const UnwrapOptions& options, double utilization,
-                      const std::function<bool()>& goesOn) {
+CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface& open,
+                                  const UnwrapOptions& options, double utilization,
+                                  const std::function<bool()>& goesOn) {
   constexpr double kLeast = 0.02;
   constexpr int kCells = 96, kCellsForLong = 192;  // parts of long charts are narrow
-  const RoomWish wish = wishOf(options);
-  RoomCuts out;
-  const RoomMode mode = roomMode(options, packed.charts.flat, 0);
-  if (mode == RoomMode::None || !(utilization > 0)) return out;
+  const PackingGoal goal = goalOf(options);
+  CutsForPacking out;
+  const CutMode mode = cutModeOf(options, packed.charts.flat, 0);
+  if (mode == CutMode::None || !(utilization > 0)) return out;
   const auto gainTo = [&](double share) { return portable::log(share / utilization) / 2; };
-  const double wanted = gainTo(wish.utilization);
+  const double wanted = gainTo(goal.utilization);
   if (!(wanted > kLeast)) return out;
   const SeamPart part = partToCut(packed.charts, open, largeCharts(packed.charts.flat, 0));
   const FlatSurface surface = flatSurface(packed, open, part);
   const auto fittingOn = [&](int cells) {
     const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
-    return std::make_unique<PieceFitting>(part.mesh, surface, fit, wish.mostCost);
+    return std::make_unique<PieceFitting>(part.mesh, surface, fit, goal.mostCost);
   };
   auto uncut = fittingOn(kCells);
   const std::vector<LongChart> longCharts = uncut->longCharts();
   if (!longCharts.empty()) uncut = fittingOn(kCellsForLong);
   for (const LongChart& chart : longCharts) uncut->cutAnywhere(chart);
-  RoomSearch search(*uncut, wish, wanted, triesFor(open));
+  CutSearch search(*uncut, goal, wanted, triesFor(open));
   if (!longCharts.empty())
     search.cutLong(longCharts, std::max(wanted, gainTo(kMostUtilization)), goesOn);
-  if (mode == RoomMode::All) search.cutAny(goesOn);
+  if (mode == CutMode::All) search.cutAny(goesOn);
   const std::unique_ptr<PieceFitting> found = search.take();
   if (!found) return out;
   for (const SurfaceCorner h : found->cuts()) out.halfEdges.push_back(part.wholeHalfEdge[h]);
@@ -268,7 +268,7 @@ RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
   return out;
 }
 
-void addCuts(const RoomCuts& cuts, const UnwrapOptionValues& options, OpenSurface& open) {
+void addCuts(const CutsForPacking& cuts, const UnwrapOptionValues& options, OpenSurface& open) {
   open.seams.resize(open.mesh.twin.size(), 0);
   for (const SurfaceCorner h : cuts.halfEdges) open.seams[h] = open.seams[open.mesh.twin[h]] = 1;
   openTouchedHoles(open.mesh, cutAlong(open.mesh, open.seams), options.fillHoles, open.seams);
@@ -287,7 +287,7 @@ void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isA
 bool isWorth(const AtlasReport& atlas, double seamCost, const UnwrapOptionValues& options) {
   const double ratio = atlas.texelDensity / atlas.uncutTexelDensity;
   return ratio > 1 && portable::log(ratio) >
-                          wishOf(options).seamWorth *
+                          goalOf(options).seamWorth *
                               PieceFitting::costOf(atlas.packingCuts,
                                                    std::min(seamCost, atlas.packingCutLength));
 }

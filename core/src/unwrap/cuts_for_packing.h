@@ -10,29 +10,29 @@
 namespace abflat {
 
 /// Seams that let the charts be packed at a higher texel density, in their present layout.
-struct RoomCuts {
+struct CutsForPacking {
   std::vector<SurfaceCorner> halfEdges;  ///< of the open surface, one of each edge
   int count = 0;
   double length = 0;  ///< divided by the root of the surface's area
 };
 
 /// Which charts may be cut for packing.
-enum class RoomMode { None, Long, All };
+enum class CutMode { None, Long, All };
 
 /// None unless all charts are to be packed, as densely as one tile allows, and nothing but seams
 /// and straight lines limits how they are stretched. Specks, which find a place between the others,
 /// do not count. `cuts`: how many of the charts come from cuts.
-RoomMode roomMode(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts);
+CutMode cutModeOf(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts);
 
 /// Finds cuts that are worth their length; empty if there are none. `utilization`: that of the
 /// charts without cuts. `goesOn` is called now and then; when it returns false, the result is
 /// empty.
-RoomCuts findRoomCuts(const PackedCharts& packed, const OpenSurface& open,
-                      const UnwrapOptions& options, double utilization,
-                      const std::function<bool()>& goesOn);
+CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface& open,
+                                  const UnwrapOptions& options, double utilization,
+                                  const std::function<bool()>& goesOn);
 
 /// Opens the surface along the cuts, and the holes that they reach.
-void addCuts(const RoomCuts& cuts, const UnwrapOptionValues& options, OpenSurface& open);
+void addCuts(const CutsForPacking& cuts, const UnwrapOptionValues& options, OpenSurface& open);
 
 /// Closes what opens charts further than `seams` did. `before`: the charts at that time.
 void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isAsked,

@@ -112,17 +112,17 @@ Outlines knownOutlines(const Known& known, const Surface& surface) {
 }
 
 /// The layout measured as if it had just been solved.
-FlatChart takeOver(const DiskChart& chart, const ChartWishes& wishes, std::vector<double> unpacked,
-                   const std::vector<double>& uv) {
+FlatChart takeOver(const DiskChart& chart, const ChartConstraints& constraints,
+                   std::vector<double> unpacked, const std::vector<double>& uv) {
   FlatChart out;
   out.solver = Solver::Known;
   out.area = areaOf(chart);
   out.distortion = ChartDistortion(measureDistortion(chart, uv));
-  if (!wishes.straight.empty()) {
+  if (!constraints.straight.empty()) {
     out.uncommon = std::make_unique<UncommonParts>();
-    out.uncommon->straight = reportStraight(chart, wishes.straight, uv);
-    out.uncommon->straight->released = wishes.released;
-    out.uncommon->straightPlaces = wishes.straight;
+    out.uncommon->straight = reportStraight(chart, constraints.straight, uv);
+    out.uncommon->straight->released = constraints.released;
+    out.uncommon->straightPlaces = constraints.straight;
   }
   out.unpacked = std::move(unpacked);
   return out;
@@ -156,7 +156,7 @@ Result<TriangleOrder> knownTriangles(const KnownLayout& known, const SurfaceMap&
   return order;
 }
 
-Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wishes,
+Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartConstraints>& constraints,
                  const UnwrapOptions& options, ThreadPool& pool, FlatCharts& flat) {
   const KnownLayout& layout = options.known;
   if (layout.triangles.empty()) return {};
@@ -186,12 +186,12 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartWishes>& wish
     if (options.straightSeams && !hasSameEnds(mesh, i, before, now)) return;
     const DiskChart chart = mesh.set.chart(i);
     const std::vector<double> inUnits = inChartUnit(chart, uv);
-    const bool keepsPlace = options.keepsPlaces && wishes[i].pins.empty();
+    const bool keepsPlace = options.keepsPlaces && constraints[i].pins.empty();
     if (!checkSeparated(chart, inUnits).valid()) {
       // What is wrong stays so unless a seam may help.
       if (!keepsPlace || options.seams.isAuto || !isUncut(known, mesh.set.topology(i))) return;
     }
-    flat[i] = takeOver(chart, wishes[i], std::move(uv), inUnits);
+    flat[i] = takeOver(chart, constraints[i], std::move(uv), inUnits);
     if (keepsPlace) keepPlace(known, mesh.set.topology(i), chart, options.stack, flat[i]);
   });
   return {};

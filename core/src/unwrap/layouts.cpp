@@ -24,8 +24,8 @@ std::vector<std::uint32_t> largestFirst(const ChartSet& charts) {
 bool isFree(const UnwrapOptions& options) { return options.t == kAutoT && !options.straightSeams; }
 
 /// Whether some vertices are asked to lie in certain places or on lines.
-bool namesVertices(const ChartWishes& wishes) {
-  return !wishes.pins.empty() || !wishes.straight.empty();
+bool namesVertices(const ChartConstraints& constraints) {
+  return !constraints.pins.empty() || !constraints.straight.empty();
 }
 
 /// Flattens a chart in an order of its own, so that its layout does not depend on the mesh's. It is
@@ -46,9 +46,9 @@ FlatChart flattenInOrder(const ChartSet& set, ChartId i, const UnwrapOptionValue
 
 bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
 
-void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOptions& options,
-                ThreadPool& pool, const Monitor& monitor, const std::function<bool(double)>& tell,
-                LaidCharts& charts) {
+void flattenAll(const IdVector<ChartId, ChartConstraints>& constraints,
+                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
+                const std::function<bool(double)>& tell, LaidCharts& charts) {
   constexpr double kUsualSteps = 8;  // of a chart's solver and refining, half of them
   const ChartSet& set = charts.set;
   FlatCharts& flat = charts.flat;
@@ -56,11 +56,11 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
   std::size_t triangles = 0;
   // Seams are only found for charts without pins.
   const auto patienceFor = [&](ChartId i) {
-    if (!canCut(options) || !wishes[i].pins.empty() || flat[i].isWhole) return Patience::All;
+    if (!canCut(options) || !constraints[i].pins.empty() || flat[i].isWhole) return Patience::All;
     return flat[i].isCutEnough ? Patience::Much : Patience::Little;
   };
   const auto isKnown = [&](ChartId i) {
-    return !flat[i].unpacked.empty() && (wishes[i].pins.empty() || flat[i].isFixed);
+    return !flat[i].unpacked.empty() && (constraints[i].pins.empty() || flat[i].isFixed);
   };
   for (const ChartId i : set.ids())
     if (!isKnown(i)) triangles += set.topology(i).triangleCount();
@@ -79,8 +79,8 @@ void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOption
       return tell((static_cast<double>(done) + own) / static_cast<double>(triangles));
     };
     const bool isCutEnough = out.isCutEnough, isWhole = out.isWhole;
-    out = namesVertices(wishes[i])
-              ? flattenOne(set.chart(i), options, wishes[i], patienceFor(i), pool, goesOn)
+    out = namesVertices(constraints[i])
+              ? flattenOne(set.chart(i), options, constraints[i], patienceFor(i), pool, goesOn)
               : flattenInOrder(set, i, options, patienceFor(i), pool, goesOn);
     out.isCutEnough = isCutEnough;
     out.isWhole = isWhole;

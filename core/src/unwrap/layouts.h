@@ -17,9 +17,9 @@ bool canCut(const UnwrapOptions& options);
 
 /// Flattens charts that have no layout yet, and those with pins. `tell` receives the share that is
 /// done.
-void flattenAll(const IdVector<ChartId, ChartWishes>& wishes, const UnwrapOptions& options,
-                ThreadPool& pool, const Monitor& monitor, const std::function<bool(double)>& tell,
-                LaidCharts& charts);
+void flattenAll(const IdVector<ChartId, ChartConstraints>& constraints,
+                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
+                const std::function<bool(double)>& tell, LaidCharts& charts);
 
 /// Whether the chart is stretched more than seams should allow.
 

@@ -21,10 +21,11 @@ Status outside(InputVertex vertex, std::size_t coordinate, double value) {
 
 }  // namespace
 
-Result<IdVector<ChartId, ChartWishes>> chartWishes(const CutMesh& mesh, const Texcoords& texcoords,
-                                                   const FixedTriangles& fixed,
-                                                   const UnwrapOptions& options) {
-  IdVector<ChartId, ChartWishes> out(mesh.set.size());
+Result<IdVector<ChartId, ChartConstraints>> chartConstraints(const CutMesh& mesh,
+                                                             const Texcoords& texcoords,
+                                                             const FixedTriangles& fixed,
+                                                             const UnwrapOptions& options) {
+  IdVector<ChartId, ChartConstraints> out(mesh.set.size());
   Result<IdVector<ChartId, std::vector<ChartPin>>> pins =
       pinsOfCharts(mesh.map.input(), texcoords, options.pins);
   if (!pins.ok()) return pins.status;
@@ -40,16 +41,17 @@ Result<IdVector<ChartId, ChartWishes>> chartWishes(const CutMesh& mesh, const Te
   return out;
 }
 
-Status checkUnpinned(const ChartSet& charts, const IdVector<ChartId, ChartWishes>& wishes,
+Status checkUnpinned(const ChartSet& charts, const IdVector<ChartId, ChartConstraints>& constraints,
                      const FlatCharts& flat) {
   for (const ChartId i : charts.ids())
-    if (flat[i].isGiven && !wishes[i].pins.empty())
-      return {StatusCode::InvalidOption,
-              "vertex " +
-                  std::to_string(
-                      charts.topology(i).inputVertex[ChartVertex(wishes[i].pins.front().vertex)]) +
-                  " is pinned, but its chart keeps its texcoords. Remove the pin, or do not keep "
-                  "the chart"};
+    if (flat[i].isGiven && !constraints[i].pins.empty())
+      return {
+          StatusCode::InvalidOption,
+          "vertex " +
+              std::to_string(
+                  charts.topology(i).inputVertex[ChartVertex(constraints[i].pins.front().vertex)]) +
+              " is pinned, but its chart keeps its texcoords. Remove the pin, or do not keep "
+              "the chart"};
   return {};
 }
 

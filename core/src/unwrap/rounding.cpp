@@ -5,7 +5,7 @@
 
 #include "base/number_text.h"
 #include "base/round_texcoords.h"
-#include "boundary/guilty_arc.h"
+#include "boundary/blamed_arc.h"
 #include "boundary/move_apart.h"
 #include "check/validity.h"
 #include "exact/orientation.h"
@@ -129,19 +129,19 @@ bool isDrawnBack(const DiskChart& chart, Numbers numbers, const std::vector<doub
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, exact));
   const StraightPlaces straight = flat.uncommon ? flat.uncommon->straightPlaces : StraightPlaces();
   constexpr double kFewSteps = 2;
-  DrawnBack drawn = drawBack({chart, exact, straight, turned}, kFewSteps * stepOf(exact, numbers),
-                             crossings(exact), crossings);
-  if (!drawn.isApart) return false;
+  MovedBack back = moveBack({chart, exact, straight, turned}, kFewSteps * stepOf(exact, numbers),
+                            crossings(exact), crossings);
+  if (!back.isApart) return false;
   std::vector<double> before = std::move(flat.uv);
-  flat.uv = rounded(numbers, flat.isFixed, std::move(drawn.uv));
+  flat.uv = rounded(numbers, flat.isFixed, std::move(back.uv));
   flat.problem.clear();
   checkInPlace(chart, flat);
   if (!flat.problem.empty()) {
     flat.uv = std::move(before);
     return false;
   }
-  flat.movedVertices = static_cast<std::uint32_t>(drawn.moved);
-  flat.movedBy = drawn.farthest;
+  flat.movedVertices = static_cast<std::uint32_t>(back.moved);
+  flat.movedBy = back.farthest;
   return true;
 }
 

@@ -23,10 +23,11 @@ void Stacks::leaveOutComponents(const UncutParts& parts) {
   addMatch(found);
 }
 
-bool Stacks::leaveOutCharts(const IdVector<ChartId, ChartWishes>& wishes, const CutParts& parts) {
+bool Stacks::leaveOutCharts(const IdVector<ChartId, ChartConstraints>& constraints,
+                            const CutParts& parts) {
   if (!mayStack()) return false;
   const CutMesh mesh{{input_, welded_, parts.surface}, parts.charts.set};
-  const CornerMatch found = alikeCharts(mesh, wishes, parts.charts.flat, options_, unfit_);
+  const CornerMatch found = alikeCharts(mesh, constraints, parts.charts.flat, options_, unfit_);
   if (found.empty()) return false;
   const IdVector<SurfaceTriangle, std::uint8_t> isKept = areModels(parts.surface, found);
   parts.open = keptCharts(parts.open, isKept);

@@ -36,7 +36,8 @@ class Stacks {
   void leaveOutComponents(const UncutParts& parts);
 
   /// Of charts that are alike, leaves one in. False if all remain.
-  bool leaveOutCharts(const IdVector<ChartId, ChartWishes>& wishes, const CutParts& parts);
+  bool leaveOutCharts(const IdVector<ChartId, ChartConstraints>& constraints,
+                      const CutParts& parts);
 
   /// Whether anything is left out.
   bool isAny() const { return !model_.empty(); }

@@ -24,6 +24,7 @@
 #include "unwrap/certificate.h"
 #include "unwrap/chart.h"
 #include "unwrap/chart_shapes.h"
+#include "unwrap/cuts_for_packing.h"
 #include "unwrap/densities.h"
 #include "unwrap/fixed.h"
 #include "unwrap/known.h"
@@ -33,8 +34,6 @@
 #include "unwrap/pieces.h"
 #include "unwrap/pinned.h"
 #include "unwrap/rectify.h"
-#include "unwrap/room.h"
-#include "unwrap/room_note.h"
 #include "unwrap/seams.h"
 #include "unwrap/small_charts.h"
 #include "unwrap/spacing.h"
@@ -42,6 +41,7 @@
 #include "unwrap/stretch.h"
 #include "unwrap/turned.h"
 #include "unwrap/unseen.h"
+#include "unwrap/utilization_note.h"
 #include "unwrap/variants.h"
 
 namespace abflat {
@@ -75,8 +75,8 @@ class Unwrapping {
     if (Status s = checkInput(); !s.ok()) return s;
     report_.options = options_;
     const std::pair<const StageSpan&, Status (Unwrapping::*)()> stages[] = {
-        {kSurface, &Unwrapping::seeSurface}, {kSeams, &Unwrapping::cut},
-        {kSolve, &Unwrapping::flatten},      {kPack, &Unwrapping::packCharts},
+        {kSurface, &Unwrapping::readSurface}, {kSeams, &Unwrapping::cut},
+        {kSolve, &Unwrapping::flatten},       {kPack, &Unwrapping::packCharts},
         {kCheck, &Unwrapping::finish},
     };
     for (const auto& [stage, work] : stages) {
@@ -117,7 +117,7 @@ class Unwrapping {
     return checkDensities(options_.faceDensities, input_.faceCount());
   }
 
-  Status seeSurface() {
+  Status readSurface() {
     const Pulse pulse([this] { return monitor_.tell(kSurface); });
     PolygonMesh inUnits = input_;
     for (double& x : inUnits.positions) x /= unit_;
@@ -125,10 +125,10 @@ class Unwrapping {
     // A disk may be one because it has been cut, so it is not welded, except at poles that are open
     // because each face has its own vertex there.
     const bool isDisk = report_.input.disk.ok();
-    weldAndSee(inUnits, !isDisk, {}, pulse);
+    weldAndBuild(inUnits, !isDisk, {}, pulse);
     if (isDisk && !pulse.isStopped())
       if (const VertexPairs notches = findNotches(welded_.mesh, surface_); !notches.empty())
-        weldAndSee(inUnits, false, notches, pulse);
+        weldAndBuild(inUnits, false, notches, pulse);
     if (pulse.isStopped()) return {};
     if (surface_.table.vertex.empty())
       return {StatusCode::EmptyMesh, "every face has fewer than three distinct corners"};
@@ -143,8 +143,8 @@ class Unwrapping {
     return {};
   }
 
-  void weldAndSee(const PolygonMesh& mesh, bool byPosition, const VertexPairs& joined,
-                  const Pulse& pulse) {
+  void weldAndBuild(const PolygonMesh& mesh, bool byPosition, const VertexPairs& joined,
+                    const Pulse& pulse) {
     if (!pulse.isStopped()) welded_ = weld(mesh, byPosition, pulse, joined);
     if (pulse.isStopped()) return;
     surface_ = buildSurface(welded_.mesh, pulse, [this](const CornerTable& table) {
@@ -176,8 +176,8 @@ class Unwrapping {
       variants_ = variantsWorth(surface_.table.triangles().size(), shareInFront(open_.mesh));
     if (variants_.empty()) surface_.fans = Fans();
     monitor_.tellAgain();
-    if (!monitor_.stopped()) charts_.set = chartsOf(welded_, open_);
-    return {};
+    isSearching_ = !variants_.empty();
+    return monitor_.stopped() ? Status() : takeCharts();
   }
 
   /// Until the layout is measured.
@@ -203,7 +203,6 @@ class Unwrapping {
 
   Status flatten() {
     const auto tell = [&](double share) { return tellSolve(share); };
-    isSearching_ = !variants_.empty();
     if (Status s = flattenCut(tell); !s.ok()) return s;
     if (isSearching_)
       if (Status s = searchMore(); !s.ok()) return s;
@@ -228,7 +227,7 @@ class Unwrapping {
     charts_ = std::move(best.charts);
     surface_.fans = Fans();
     if (Status s = joinSmall(); !s.ok()) return s;
-    return layOutAsWished();
+    return layOutAsAsked();
   }
 
   /// Joins charts that are too small to be worth a seam, where the bounds allow it.
@@ -238,8 +237,8 @@ class Unwrapping {
     for (int k = 0; k < kMostRounds && canCut(options_) && !monitor_.stopped(); ++k) {
       const Seams seams = small.join(charts_, options_, open_);
       if (seams.empty()) break;
-      LaidCharts before = openAnew();
-      if (Status s = readWishes(); !s.ok()) return s;
+      LaidCharts before;
+      if (Status s = takeChartsAnew(before); !s.ok()) return s;
       if (Status s = layOut([&](double) { return monitor_.tellAgain(); }); !s.ok()) return s;
       if (monitor_.stopped()) break;
       if (Status s =
@@ -251,15 +250,14 @@ class Unwrapping {
   }
 
   /// Searches take no notice of pins and of what is known, so that these change no seam.
-  Status layOutAsWished() {
+  Status layOutAsAsked() {
     isSearching_ = false;
-    if (Status s = readWishes(); !s.ok()) return s;
     LaidCharts solved = std::move(charts_);
-    charts_ = {chartsOf(welded_, open_), {}};
-    charts_.flat.resize(charts_.set.size());
-    if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, charts_.flat); !s.ok()) return s;
+    if (Status s = takeCharts(); !s.ok()) return s;
+    if (Status s = takeKnown(cutMesh(), constraints_, options_, *pool_, charts_.flat); !s.ok())
+      return s;
     for (const ChartId i : charts_.set.ids())
-      if (!wishes_[i].pins.empty()) solved.flat[i] = FlatChart();
+      if (!constraints_[i].pins.empty()) solved.flat[i] = FlatChart();
     moveSame(solved, charts_);
     return flattenCut([&](double) { return monitor_.tellAgain(); });
   }
@@ -271,16 +269,14 @@ class Unwrapping {
     open_ = cutOpen(uncut(), asked_, variant, options_, *pool_, goesOn, summary);
     report_.timings.seams += watch_.lap();
     if (monitor_.stopped()) return {};
-    charts_ = {chartsOf(welded_, open_), {}};
+    if (Status s = takeCharts(); !s.ok()) return s;
     return flattenCut([&](double) { return goesOn(); });
   }
 
   /// Flattens all charts, and cuts those further that are stretched more than predicted.
   Status flattenCut(const std::function<bool(double)>& tell) {
-    if (Status s = readWishes(); !s.ok()) return s;
-    charts_.flat.resize(charts_.set.size());
     if (Status s = layOutFixed(cutMesh(), fixed_, options_, charts_.flat); !s.ok()) return s;
-    if (Status s = checkUnpinned(charts_.set, wishes_, charts_.flat); !s.ok()) return s;
+    if (Status s = checkUnpinned(charts_.set, constraints_, charts_.flat); !s.ok()) return s;
     if (Status s = layOut(tell); !s.ok()) return s;
     constexpr int kMostRounds = 8;
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.solve, tell); !s.ok()) return s;
@@ -299,8 +295,10 @@ class Unwrapping {
   Status halveRuined(double& seconds, const std::function<bool(double)>& tell) {
     constexpr int kMostHalvings = 24, kMostRounds = 4;
     for (int k = 0; canCut(options_) && k < kMostHalvings && !monitor_.stopped(); ++k) {
-      if (!isHalved(ruinedCharts(charts_.flat, options_.maxStretch))) break;
-      if (Status s = readWishes(); !s.ok()) return s;
+      bool isAny = false;
+      if (Status s = halve(ruinedCharts(charts_.flat, options_.maxStretch), isAny); !s.ok())
+        return s;
+      if (!isAny) break;
       if (Status s = layOut(tell); !s.ok()) return s;
       expectScale(charts_.set, stretchedPieces(charts_.flat, options_), *pool_, open_);
       if (Status s = cutWhileStretched(kMostRounds, seconds, tell); !s.ok()) return s;
@@ -309,13 +307,12 @@ class Unwrapping {
     return dropGivenUp(charts_.flat) ? layOut(tell) : Status();
   }
 
-  /// Splits the charts in two, and marks those that cannot be split.
-  bool isHalved(const IdVector<ChartId, std::uint8_t>& isAsked) {
+  /// Splits the charts in two, and marks those that cannot be split. `isAny`: whether some were.
+  Status halve(const IdVector<ChartId, std::uint8_t>& isAsked, bool& isAny) {
     IdVector<ChartId, std::uint8_t> isWhole;
-    const bool isAny = halve(charts_.set, isAsked, options_, open_, isWhole);
+    isAny = abflat::halve(charts_.set, isAsked, options_, open_, isWhole);
     for (const ChartId i : isWhole.ids()) charts_.flat[i].isWhole |= isWhole[i] != 0;
-    if (isAny) openAnew();
-    return isAny;
+    return isAny ? takeChartsAnew() : Status();
   }
 
   /// Each round fills a share of the bar that the rounds before left.
@@ -332,8 +329,7 @@ class Unwrapping {
       const bool isCut = cutFurther([&] { return tell(0); });
       report_.timings.seams += watch_.lap();
       if (!isCut || monitor_.stopped()) break;
-      openAnew();
-      if (Status s = readWishes(); !s.ok()) return s;
+      if (Status s = takeChartsAnew(); !s.ok()) return s;
       dropGivenUp(charts_.flat);
       if (Status s = layOut(tell); !s.ok()) return s;
     }
@@ -355,51 +351,63 @@ class Unwrapping {
     return done != Further::Nothing;
   }
 
-  /// Remakes the charts of the surface with its present seams. Unchanged charts keep their layout;
-  /// returns what is left of the others.
-  LaidCharts openAnew() {
-    LaidCharts before = std::move(charts_);
+  /// The charts of the surface with its present seams, none of which is laid out.
+  Status takeCharts() {
     charts_ = {chartsOf(welded_, open_), {}};
     charts_.flat.resize(charts_.set.size());
-    moveSame(before, charts_);
-    return before;
+    return readConstraints();
   }
 
-  Status readWishes() {
+  /// The same, but what has not changed keeps its layout. `before`: the charts until now, and
+  /// what is left of their layouts.
+  Status takeChartsAnew(LaidCharts& before) {
+    before = std::move(charts_);
+    const Status s = takeCharts();
+    moveSame(before, charts_);
+    return s;
+  }
+
+  /// The same, where nothing else is needed of the charts until now.
+  Status takeChartsAnew() {
+    LaidCharts before;
+    return takeChartsAnew(before);
+  }
+
+  Status readConstraints() {
     monitor_.tellAgain();
     texcoords_ = numberTexcoords(cutMesh());
     if (isSearching_) {
-      wishes_.assign(charts_.set.size(), {});
+      constraints_.assign(charts_.set.size(), {});
       return {};
     }
-    Result<IdVector<ChartId, ChartWishes>> wishes =
-        chartWishes(cutMesh(), texcoords_, fixed_, options_);
-    if (!wishes.ok()) return wishes.status;
-    wishes_ = std::move(wishes.value);
+    Result<IdVector<ChartId, ChartConstraints>> constraints =
+        chartConstraints(cutMesh(), texcoords_, fixed_, options_);
+    if (!constraints.ok()) return constraints.status;
+    constraints_ = std::move(constraints.value);
     return {};
   }
 
   /// Lays out charts that have no layout yet.
   Status layOut(const std::function<bool(double)>& tell) {
     if (!isSearching_)
-      if (Status s = takeKnown(cutMesh(), wishes_, options_, *pool_, charts_.flat); !s.ok())
+      if (Status s = takeKnown(cutMesh(), constraints_, options_, *pool_, charts_.flat); !s.ok())
         return s;
-    flattenAll(wishes_, options_, *pool_, monitor_, tell, charts_);
+    flattenAll(constraints_, options_, *pool_, monitor_, tell, charts_);
     return {};
   }
 
   Status packCharts() {
     if (Status s = checkPinned(cutMesh(), options_, charts_.flat); !s.ok()) return s;
-    if (stacks_.leaveOutCharts(wishes_, {surface_, fixed_, open_, charts_}))
-      if (Status s = readWishes(); !s.ok()) return s;
+    if (stacks_.leaveOutCharts(constraints_, {surface_, fixed_, open_, charts_}))
+      if (Status s = readConstraints(); !s.ok()) return s;
     const FlatCharts& flat = charts_.flat;
-    const bool mayCut = roomMode(options_, flat, 0) != RoomMode::None;
+    const bool mayCut = cutModeOf(options_, flat, 0) != CutMode::None;
     Status s = packNow(0, mayCut ? kUncut : 1);
-    if (s.ok() && mayCut) s = cutForRoom();
+    if (s.ok() && mayCut) s = cutForPacking();
     if (s.ok()) s = keepPartsApart();
     if (s.ok() && !monitor_.stopped()) s = fitToFile();
     if (!s.ok()) return s;
-    for (std::string note : {roomNote(packedCharts(), map(), options_, report_.atlas),
+    for (std::string note : {utilizationNote(packedCharts(), map(), options_, report_.atlas),
                              spacingNote(cutMesh(), charts_.flat, nearParts(), options_)})
       if (!note.empty()) report_.notes.push_back(std::move(note));
     endCutting();
@@ -416,7 +424,8 @@ class Unwrapping {
       open_.seams.resize(open_.mesh.twin.size(), 0);
       Seams seams = open_.seams;
       if (!cutBetween(charts_, nearParts(), options_, open_)) break;
-      PackedState before{openAnew(), std::move(seams), std::move(packing_), report_.atlas};
+      PackedState before{{}, std::move(seams), std::move(packing_), report_.atlas};
+      if (Status s = takeChartsAnew(before.charts); !s.ok()) return s;
       takePieces(before.charts, options_, *pool_, charts_);
       const auto goesOn = [&] { return monitor_.tellAgain(); };
       if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
@@ -433,13 +442,14 @@ class Unwrapping {
     constexpr int kMostSplits = 6;
     for (int k = 0; !monitor_.stopped(); ++k) {
       std::vector<std::string> notes = checkAll(packedCharts(), options_, report_.atlas);
-      const bool isDone = k == kMostSplits || !canCut(options_);
-      if (isDone || !isHalved(ruinedCharts(charts_.flat, HUGE_VAL))) {
+      bool isSplit = false;
+      if (k < kMostSplits && canCut(options_))
+        if (Status s = halve(ruinedCharts(charts_.flat, HUGE_VAL), isSplit); !s.ok()) return s;
+      if (!isSplit) {
         for (std::string& note : notes) report_.notes.push_back(std::move(note));
         return {};
       }
       const auto tell = [&](double) { return monitor_.tellAgain(); };
-      if (Status s = readWishes(); !s.ok()) return s;
       if (Status s = layOut(tell); !s.ok()) return s;
       if (Status s = endSearch(tell); !s.ok()) return s;
       if (Status s = packNow(1, 1); !s.ok()) return s;
@@ -457,16 +467,17 @@ class Unwrapping {
 
   /// Cuts charts if that makes the packing so much denser that it is worth the seams; otherwise
   /// leaves them as they were.
-  Status cutForRoom() {
+  Status cutForPacking() {
     const auto goesOn = [&] { return monitor_.tell(kPack, kUncut); };
-    const RoomCuts cuts =
-        findRoomCuts(packedCharts(), open_, options_, report_.atlas.utilization, goesOn);
+    const CutsForPacking cuts =
+        findCutsForPacking(packedCharts(), open_, options_, report_.atlas.utilization, goesOn);
     if (cuts.halfEdges.empty() || monitor_.stopped()) return {};
     open_.seams.resize(open_.mesh.twin.size(), 0);
     Seams seams = open_.seams;
     const double length = seamLength(open_), cost = seamCost(open_);
     addCuts(cuts, options_, open_);
-    PackedState before{openAnew(), std::move(seams), std::move(packing_), report_.atlas};
+    PackedState before{{}, std::move(seams), std::move(packing_), report_.atlas};
+    if (Status s = takeChartsAnew(before.charts); !s.ok()) return s;
     // Where they lie, their new ends need not be straight.
     if (!options_.straightSeams) takePieces(before.charts, options_, *pool_, charts_);
     if (Status s = layOutPieces(goesOn); !s.ok() || monitor_.stopped()) return s;
@@ -483,8 +494,8 @@ class Unwrapping {
 
   /// Packs again if some of the pieces are alike.
   Status stackPieces() {
-    if (!stacks_.leaveOutCharts(wishes_, {surface_, fixed_, open_, charts_})) return {};
-    Status s = readWishes();
+    if (!stacks_.leaveOutCharts(constraints_, {surface_, fixed_, open_, charts_})) return {};
+    Status s = readConstraints();
     return s.ok() ? packNow(1, 1) : s;
   }
 
@@ -503,7 +514,7 @@ class Unwrapping {
     packing_ = std::move(before.packing);
     report_.atlas = before.atlas;
     placeInAtlas(packing_, charts_.flat);
-    return readWishes();
+    return readConstraints();
   }
 
   /// Lays out the pieces that cannot keep their place in the former chart's layout. Pieces that are
@@ -511,7 +522,6 @@ class Unwrapping {
   Status layOutPieces(const std::function<bool()>& goesOn) {
     constexpr int kMostRounds = 3;
     const auto tell = [&](double) { return goesOn(); };
-    if (Status s = readWishes(); !s.ok()) return s;
     if (Status s = layOut(tell); !s.ok()) return s;
     expectScale(charts_.set, stretchedPieces(charts_.flat, options_), *pool_, open_);
     if (Status s = cutWhileStretched(kMostRounds, report_.timings.pack, tell); !s.ok()) return s;
@@ -528,9 +538,9 @@ class Unwrapping {
                     const Seams& seams) {
     if (std::find(isAsked.begin(), isAsked.end(), 1) == isAsked.end()) return {};
     takeBack(before.set, isAsked, seams, open_);
-    openAnew();
+    const Status s = takeChartsAnew();
     moveSame(before, charts_);
-    return readWishes();
+    return s;
   }
 
   /// Keeps only what the result needs of the cut surface. With many charts the rest takes most of
@@ -554,7 +564,7 @@ class Unwrapping {
     nameShapes(charts_.set, charts_.flat);
     out_.seams = seamEdges(map(), seams);
     open_ = OpenSurface();
-    wishes_ = IdVector<ChartId, ChartWishes>();
+    constraints_ = IdVector<ChartId, ChartConstraints>();
     charts_.set.eliminationRank = {};
   }
 
@@ -597,7 +607,7 @@ class Unwrapping {
   OpenSurface open_;
   LaidCharts charts_;
   Texcoords texcoords_;
-  IdVector<ChartId, ChartWishes> wishes_;
+  IdVector<ChartId, ChartConstraints> constraints_;
   std::vector<int> variants_;            ///< of costs, for further searches
   bool isSearching_ = false;             ///< for seams, of which the best are taken
   int round_ = 0;                        ///< of flattening

@@ -1,4 +1,4 @@
-#include "unwrap/room_note.h"
+#include "unwrap/utilization_note.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,16 +53,16 @@ Occupants occupantsOf(const LaidCharts& charts) {
 }
 
 /// The option that keeps charts from being cut; empty if none does.
-std::string obstacle(const UnwrapOptions& options, const FlatCharts& flat, RoomMode mode) {
+std::string obstacle(const UnwrapOptions& options, const FlatCharts& flat, CutMode mode) {
   if (options.texelDensity != kAutoTexelDensity) return "the texel density is given";
   if (std::any_of(flat.begin(), flat.end(), [](const FlatChart& c) { return c.isFixed; }))
     return "no chart is cut for packing beside charts that are pinned or kept";
   if (!options.seams.isAuto) return "charts are cut for packing only if seams are automatic";
   if (options.t != kAutoT) return "charts are cut for packing only if t is auto";
-  return mode == RoomMode::None ? "so many charts are not cut for packing" : "";
+  return mode == CutMode::None ? "so many charts are not cut for packing" : "";
 }
 
-std::string reason(const Occupants& occupants, RoomMode mode, const FlatCharts& flat,
+std::string reason(const Occupants& occupants, CutMode mode, const FlatCharts& flat,
                    const SurfaceMap& map, const UnwrapOptions& options) {
   constexpr double kMuchPadding = 0.05;  // of the tile
   if (std::string text = obstacle(options, flat, mode); !text.empty()) return text;
@@ -74,7 +74,7 @@ std::string reason(const Occupants& occupants, RoomMode mode, const FlatCharts& 
            "example, cuts them";
   if (options.straightSeams)
     return "with straight seams, only charts far longer than wide are cut for packing";
-  if (mode == RoomMode::Long)
+  if (mode == CutMode::Long)
     return "of so many charts, only those far longer than wide are cut for packing";
   const bool isPadded =
       occupants.perimeter * options.padding / 2 / options.resolution > kMuchPadding;
@@ -94,8 +94,8 @@ std::string shareText(double reached, double asked) {
 
 }  // namespace
 
-std::string roomNote(const PackedCharts& packed, const SurfaceMap& map,
-                     const UnwrapOptions& options, const AtlasReport& atlas) {
+std::string utilizationNote(const PackedCharts& packed, const SurfaceMap& map,
+                            const UnwrapOptions& options, const AtlasReport& atlas) {
   constexpr double kPoor = 0.25;
   if (options.packingCuts == PackingCuts::Never) return {};
   const LaidCharts& charts = packed.charts;
@@ -106,7 +106,7 @@ std::string roomNote(const PackedCharts& packed, const SurfaceMap& map,
   const Occupants occupants = occupantsOf(charts);
   if (isAuto && !occupants.isAnyLong) return {};
   const auto cuts = std::min(static_cast<std::size_t>(atlas.packingCuts), charts.set.size());
-  const RoomMode mode = roomMode(options, charts.flat, cuts);
+  const CutMode mode = cutModeOf(options, charts.flat, cuts);
   return "charts cover " + shareText(reached, asked) + ": " +
          reason(occupants, mode, charts.flat, map, options);
 }

@@ -16,8 +16,8 @@ std::vector<double> parseList(const std::string& option, const std::string& text
   for (std::string word; std::getline(words, word, ',');) {
     FlattenOptionValues values;
     bool isWord = false;
-    double value = wordValue(values, index, word, isWord);
-    if ((!isWord && !isNumber(word, value)) || !setOption(values, index, value, isWord))
+    double value = 0;
+    if (!readOption(values, index, word, value, isWord) || !setOption(values, index, value, isWord))
       throw CLI::ValidationError(option, "'" + word + "' is not a number " + infos[index].range);
     out.push_back(value);
   }

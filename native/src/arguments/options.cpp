@@ -1,7 +1,6 @@
 #include "arguments/options.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <sstream>
 
@@ -44,7 +43,8 @@ CLI::Validator resultName() {
 std::size_t texcoordSet(const char* option, const std::string& text, const char* others) {
   constexpr double kLast = 7;
   double number = 0;
-  if (!isNumber(text, number) || !(number >= 0 && number <= kLast) || number != std::floor(number))
+  if (!readNumber(text, number) || !(number >= 0 && number <= kLast) ||
+      number != std::floor(number))
     throw CLI::ValidationError(option,
                                "'" + text + "' is not " + others + "a whole number from 0 to 7");
   return static_cast<std::size_t>(number);
@@ -77,17 +77,11 @@ void setUsage(CLI::App& app, const std::string& usage) {
   app.set_help_flag("-h,--help", "print this help");
 }
 
-bool isNumber(const std::string& text, double& value) {
-  char* end = nullptr;
-  value = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0';
-}
-
 CLI::Validator numberCheck(const std::string& range, bool (*isValid)(double)) {
   return CLI::Validator(
       [=](const std::string& text) -> std::string {
         double value = 0;
-        if (!isNumber(text, value)) return "'" + text + "' is not a number";
+        if (!readNumber(text, value)) return "'" + text + "' is not a number";
         return isValid(value) ? "" : "must be a number " + range + ", not " + text;
       },
       "");

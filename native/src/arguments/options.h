@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "abflat/option_text.h"
 #include "abflat/unwrap.h"
 
 namespace abflat::cli {
@@ -19,8 +20,6 @@ std::string wrapped(const std::string& text);
 
 /// Shows required options in the usage line, and footers unchanged.
 void setUsage(CLI::App& app, const std::string& usage);
-
-bool isNumber(const std::string& text, double& value);
 
 CLI::Validator notEmpty();
 /// `range` in words, for the error message.
@@ -38,16 +37,6 @@ void addOwnTexels(CLI::App& app, bool& ownTexels);
 void addAllowOutside(CLI::App& app, bool& allowsOutside);
 void addReport(CLI::App& app, std::string& report);
 void addQuiet(CLI::App& app, bool& quiet);
-
-/// A number, with or without one of the option's units: "3G".
-template <class Values>
-bool isNumberOfOption(const Values& values, int index, const std::string& text, double& value) {
-  if (isNumber(text, value)) return true;
-  const double unit = text.empty() ? 0 : unitSize(values, index, text.back());
-  if (unit == 0 || !isNumber(text.substr(0, text.size() - 1), value)) return false;
-  value *= unit;
-  return true;
-}
 
 /// Whether a switch is off by default; one that is on has a flag to turn it off.
 inline bool isOff(const OptionInfo& info) { return std::string_view(info.defaultText) == "false"; }
@@ -67,8 +56,8 @@ void addOption(CLI::App& app, Values& values, int index) {
     const std::string wanted =
         (option.isChoice ? "one of " : "a number ") + std::string(option.range);
     bool isWord = false;
-    double value = wordValue(values, index, text, isWord);
-    if (!isWord && (option.isChoice || !isNumberOfOption(values, index, text, value)))
+    double value = 0;
+    if (!readOption(values, index, text, value, isWord))
       throw CLI::ValidationError(option.flag, "'" + text + "' is not " + wanted);
     if (!setOption(values, index, value, isWord))
       throw CLI::ValidationError(option.flag, "must be " + wanted + ", not " + text);

@@ -6,8 +6,8 @@
 
 #include "catch.h"
 #include "seam/log_scale.h"
+#include "seam/outlines_together.h"
 #include "seam/prediction.h"
-#include "seam/room.h"
 #include "support/cut_meshes.h"
 #include "support/isosurface.h"
 #include "support/squares.h"
@@ -131,14 +131,14 @@ TEST_CASE("the room of two outlines does not depend on how they lie", "[merge]")
                         {BoundaryIndex(a1), BoundaryIndex(b1)}};
   };
   const OutlinePairs side = pairs(1, 0, 2, 3);
-  CHECK(roomTogether(a, box(2, 0, 3, 1), side) == Approx(1));
+  CHECK(hullTogether(a, box(2, 0, 3, 1), side) == Approx(1));
   Outline turned;
   for (const Point2& p : box(2, 0, 3, 1))
     turned.push_back({5 + 0.6 * p[0] - 0.8 * p[1], -7 + 0.8 * p[0] + 0.6 * p[1]});
-  CHECK(roomTogether(a, turned, side) == Approx(1));
+  CHECK(hullTogether(a, turned, side) == Approx(1));
   // A unit square on the left half of the upper side.
-  CHECK(roomTogether(a, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}, pairs(3, 0, 3, 0)) ==
+  CHECK(hullTogether(a, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}, pairs(3, 0, 3, 0)) ==
         std::numeric_limits<double>::infinity());
   const Outline wide = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
-  CHECK(roomTogether(wide, box(0, 1, 1, 1), pairs(4, 0, 3, 1)) == Approx(3.5 / 3));
+  CHECK(hullTogether(wide, box(0, 1, 1, 1), pairs(4, 0, 3, 1)) == Approx(3.5 / 3));
 }

@@ -118,7 +118,7 @@ const UnwrapOptions kAuto = atLeast(kAutoMinUtilization), kNever = atLeast(0);
 
 }  // namespace
 
-TEST_CASE("a long strip is cut across", "[room]") {
+TEST_CASE("a long strip is cut across", "[cuts]") {
   const PolygonMesh mesh = strip(200, 4, 10, 0.2);
   const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
   CHECK(whole.report.charts.size() == 1);
@@ -133,7 +133,7 @@ TEST_CASE("a long strip is cut across", "[room]") {
   CHECK(cut.report.seams.relativeLength == Approx(cut.report.atlas.packingCutLength));
 }
 
-TEST_CASE("strips fill the tile, however long they are", "[room]") {
+TEST_CASE("strips fill the tile, however long they are", "[cuts]") {
   for (const double length : {30.0, 100.0, 300.0, 1000.0}) {
     const PolygonMesh mesh = strip(static_cast<unsigned>(2 * length), 2, length, 1);
     const UnwrapResult cut = unwrapped(mesh, kAuto), asked = unwrapped(mesh, atLeast(0.7));
@@ -148,7 +148,7 @@ TEST_CASE("strips fill the tile, however long they are", "[room]") {
   }
 }
 
-TEST_CASE("long charts are cut together, since cutting one of them gains nothing", "[room]") {
+TEST_CASE("long charts are cut together, since cutting one of them gains nothing", "[cuts]") {
   for (const unsigned count : {2u, 5u, 90u}) {
     PolygonMesh mesh;
     mesh.faceOffsets = {0};
@@ -166,7 +166,7 @@ TEST_CASE("long charts are cut together, since cutting one of them gains nothing
 }
 
 TEST_CASE("with straight seams long charts are cut, and their parts are straight all around",
-          "[room]") {
+          "[cuts]") {
   UnwrapOptions options = kAuto;
   options.straightSeams = true;
   for (const PolygonMesh& mesh : {strip(200, 4, 100, 1), sheared(strip(120, 3, 60, 1))}) {
@@ -183,14 +183,14 @@ TEST_CASE("with straight seams long charts are cut, and their parts are straight
   CHECK(unwrapped(ring(0.8, 64), options).report.atlas.packingCuts == 0);
 }
 
-TEST_CASE("a side three times as long as wide stays whole", "[room]") {
+TEST_CASE("a side three times as long as wide stays whole", "[cuts]") {
   for (const PolygonMesh& mesh : {strip(24, 8, 3, 1), strip(80, 8, 10, 1)}) {
     const UnwrapResult cut = unwrapped(mesh, kAuto);
     CHECK(cut.report.atlas.packingCuts <= (mesh.vertexCount() < 300 ? 2 : 3));
   }
 }
 
-TEST_CASE("a note says why the tile stays empty", "[room]") {
+TEST_CASE("a note says why the tile stays empty", "[cuts]") {
   const auto noteOf = [](const PolygonMesh& mesh, const UnwrapOptions& options) {
     const UnwrapResult r = unwrapped(mesh, options);
     REQUIRE(r.report.notes.size() <= 1);
@@ -220,7 +220,7 @@ TEST_CASE("a note says why the tile stays empty", "[room]") {
   says(noteOf(strip(40, 40, 1, 1), atLeast(1)), "not the 100 % asked for: no further cut");
 }
 
-TEST_CASE("a thin ring is cut through its hole", "[room]") {
+TEST_CASE("a thin ring is cut through its hole", "[cuts]") {
   const PolygonMesh mesh = ring(0.95, 96);
   const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, atLeast(0.6));
   CHECK(whole.report.seams.filledHoles == 1);
@@ -228,7 +228,7 @@ TEST_CASE("a thin ring is cut through its hole", "[room]") {
   CHECK(cut.report.atlas.utilization > 2.5 * whole.report.atlas.utilization);
 }
 
-TEST_CASE("what lies well is not cut in plain sight, unless asked for", "[room]") {
+TEST_CASE("what lies well is not cut in plain sight, unless asked for", "[cuts]") {
   for (const PolygonMesh& mesh : {strip(24, 4, 6, 1), ring(0.5, 48)}) {
     CAPTURE(mesh.vertexCount());
     const UnwrapResult whole = unwrapped(mesh, kNever), own = unwrapped(mesh, kAuto),
@@ -239,7 +239,7 @@ TEST_CASE("what lies well is not cut in plain sight, unless asked for", "[room]"
   }
 }
 
-TEST_CASE("charts are cut along creases where that brings texels", "[room]") {
+TEST_CASE("charts are cut along creases where that brings texels", "[cuts]") {
   const PolygonMesh mesh = folded(7);
   const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
   CHECK(whole.report.charts.size() == 1);
@@ -247,7 +247,7 @@ TEST_CASE("charts are cut along creases where that brings texels", "[room]") {
   CHECK(cut.report.atlas.utilization > 2 * whole.report.atlas.utilization);
 }
 
-TEST_CASE("what fills its square is not cut", "[room]") {
+TEST_CASE("what fills its square is not cut", "[cuts]") {
   for (const PolygonMesh& mesh : {strip(10, 10, 1, 1), tetrahedron()}) {
     const UnwrapResult whole = unwrapped(mesh, kNever), cut = unwrapped(mesh, kAuto);
     if (whole.report.atlas.utilization < 0.9) continue;
@@ -256,7 +256,7 @@ TEST_CASE("what fills its square is not cut", "[room]") {
   }
 }
 
-TEST_CASE("cuts for packing bring texels for their length, or are not made", "[room]") {
+TEST_CASE("cuts for packing bring texels for their length, or are not made", "[cuts]") {
   const std::vector<PolygonMesh> meshes = {strip(40, 4, 3, 0.5),
                                            ring(0.5, 48),
                                            ring(0.8, 64),
@@ -290,7 +290,7 @@ TEST_CASE("cuts for packing bring texels for their length, or are not made", "[r
 }
 
 TEST_CASE("a piece that comes out stretched too much is cut further, and all other cuts stay",
-          "[room]") {
+          "[cuts]") {
   int cuts = 0;
   for (const double radius : {0.2, 0.3, 0.4})
     for (const double balance : {0.0, 0.2}) {
@@ -307,7 +307,7 @@ TEST_CASE("a piece that comes out stretched too much is cut further, and all oth
   CHECK(cuts > 0);
 }
 
-TEST_CASE("charts are cut until they cover the share that is asked for", "[room]") {
+TEST_CASE("charts are cut until they cover the share that is asked for", "[cuts]") {
   const PolygonMesh mesh = strip(60, 6, 6, 0.6);
   double before = 0;
   for (const double asked : {0.3, 0.5, 0.7}) {
@@ -318,7 +318,7 @@ TEST_CASE("charts are cut until they cover the share that is asked for", "[room]
   }
 }
 
-TEST_CASE("cuts for packing are the same for any number of threads", "[room]") {
+TEST_CASE("cuts for packing are the same for any number of threads", "[cuts]") {
   const PolygonMesh mesh = ring(0.8, 64);
   UnwrapOptions options = atLeast(0.6);
   options.threads = 1;
@@ -330,7 +330,7 @@ TEST_CASE("cuts for packing are the same for any number of threads", "[room]") {
   CHECK(one.cornerUv == two.cornerUv);
 }
 
-TEST_CASE("what the user wants of charts is kept: nothing is cut for packing", "[room]") {
+TEST_CASE("what the user wants of charts is kept: nothing is cut for packing", "[cuts]") {
   const PolygonMesh mesh = strip(60, 4, 10, 0.5);
   UnwrapOptions given = kAuto, bounded = kAuto, dense = kAuto, pinned = kAuto;
   given.seams.isAuto = false;
@@ -348,7 +348,7 @@ TEST_CASE("what the user wants of charts is kept: nothing is cut for packing", "
   CHECK(unwrapped(mesh, kept).report.charts.size() == 1);
 }
 
-TEST_CASE("needles and faces that are far too large end in a valid atlas", "[room]") {
+TEST_CASE("needles and faces that are far too large end in a valid atlas", "[cuts]") {
   for (const double far : {1e2, 1e4, 1e6, 1e9}) {
     PolygonMesh mesh = torus(24, 16);
     mesh.positions[3 * 77] += 0.48 * far;

@@ -32,10 +32,10 @@ class Searches {
                        summary);
     out.charts.set = chartsOf(welded_, out.open);
     out.charts.flat.resize(out.charts.set.size());
-    const IdVector<ChartId, ChartWishes> wishes(out.charts.set.size());
+    const IdVector<ChartId, ChartConstraints> constraints(out.charts.set.size());
     const ProgressCallback none;
     flattenAll(
-        wishes, options_, pool_, Monitor(none), [](double) { return true; }, out.charts);
+        constraints, options_, pool_, Monitor(none), [](double) { return true; }, out.charts);
     return out;
   }
 
