@@ -60,6 +60,39 @@ function ownStarter(text, file) {
   return text.replace(found[0], load + tell);
 }
 
+/** What Emscripten's script would fetch the module with, and what that alone uses. */
+const READING = ['read_', 'readBinary', 'readAsync', 'setWindowTitle'];
+const FETCHING = [
+  'getBinary',
+  'getBinaryPromise',
+  'instantiateArrayBuffer',
+  'instantiateAsync',
+  'receiveInstantiationResult',
+];
+
+/** The text without what begins with `start` and ends with the bracket that closes its first one. */
+function without(text, start, [open, close]) {
+  const begin = text.indexOf(start);
+  if (begin < 0) return text;
+  let depth = 0;
+  for (let i = text.indexOf(open, begin + start.length - 1); i < text.length; ++i) {
+    if (text[i] === open) ++depth;
+    if (text[i] === close && --depth === 0) return text.slice(0, begin) + text.slice(i + 1);
+  }
+  throw new Error(`Emscripten's script does not end what begins with "${start}".`);
+}
+
+/** Emscripten's script without what fetches the module: the engine always instantiates it. */
+function withoutFetching(text) {
+  const call = 'instantiateAsync().catch(readyPromiseReject);';
+  if (!text.includes(call)) return text;
+  const bare = FETCHING.reduce(
+    (rest, name) => without(rest, `function ${name}(`, '{}'),
+    text.replace(call, ''),
+  );
+  return READING.reduce((rest, name) => without(rest, `${name}=(`, '()'), bare);
+}
+
 /**
  * Emscripten's script, minified: its names mean nothing, while ours stay readable. The engine
  * instantiates the module itself, so bundlers need not find one here. Newer releases of Emscripten
@@ -69,7 +102,7 @@ function ownScript(text, built, name) {
   const address = new RegExp(
     `new URL\\((['"])${built}\\.wasm\\1,\\s*import\\.meta\\.url\\)\\.(toString\\(\\)|href)`,
   );
-  const own = text.replace(address, "''").replaceAll(`${built}.mjs`, `${name}.js`);
+  const own = withoutFetching(text).replace(address, "''").replaceAll(`${built}.mjs`, `${name}.js`);
   return transformSync(own, { minify: true }).code;
 }
 

@@ -1,7 +1,6 @@
 #include "unwrap/small_charts.h"
 
 #include <algorithm>
-#include <set>
 
 #include "base/stable_order.h"
 #include "unwrap/expected_density.h"
@@ -10,11 +9,11 @@
 namespace abflat {
 namespace {
 
-/// Consecutive edges of a small chart's outline with the same chart on their other side.
+/// Consecutive edges of a chart's outline with the same chart on their other side.
 struct Border {
   CutChartId other;
-  std::vector<SurfaceCorner> edges;
-  double cost = 0;  ///< of the seam
+  std::size_t first = 0, count = 0;  ///< on the outline
+  double cost = 0;                   ///< of the seam
 };
 
 /// What lies along the outlines of charts.
@@ -38,31 +37,26 @@ class Borders {
     return length > 0 ? 2 * cut_.charts[i].area / length : 0;
   }
 
-  /// Those where the seam may be closed, which makes one disk of two, each the longest there is
-  /// with that neighbour. The dearest seam comes first.
-  std::vector<Border> of(CutChartId i) const {
-    std::vector<Border> out;
+  /// The dearest one where the seam may be closed, which makes one disk of two. No edges: none.
+  template <class IsAllowed>
+  Border dearest(CutChartId i, const IsAllowed& isAllowed) const {
+    Border best, run;
     const BoundaryLoop loop = cut_.outline(i);
-    const std::size_t first = firstEnd(loop);
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const SurfaceCorner h = loop[BoundaryIndex((first + k) % loop.size())];
+    const std::size_t size = loop.size(), begin = firstEnd(loop);
+    SurfaceCorner last;
+    for (std::size_t k = begin; k < begin + size; ++k) {
+      const SurfaceCorner h = loop[BoundaryIndex(k % size)];
       if (!canClose(h)) continue;
-      if (k == 0 || out.empty() || !goesOn(out.back().edges.back(), h))
-        out.push_back({cut_.chartOf(open_.mesh.twin[h]), {}, 0});
-      out.back().edges.push_back(h);
-      out.back().cost += open_.mesh.cost[h];
+      if (!last.exists() || !goesOn(last, h))
+        run = {cut_.chartOf(open_.mesh.twin[h]), k % size, 0, 0};
+      ++run.count;
+      run.cost += open_.mesh.cost[h];
+      last = h;
+      if (run.cost > best.cost && isAllowed(run.other)) best = run;
     }
     // A sphere is no disk: where two charts share all of their outlines, a slit stays.
-    for (Border& border : out)
-      if (border.edges.size() == loop.size() && goesOn(border.edges.back(), border.edges.front()))
-        border.edges.pop_back();
-    sortStably(out, [](const Border& a, const Border& b) { return a.cost > b.cost; });
-    std::set<std::uint32_t> isSeen;
-    const auto isAgain = [&](const Border& b) {
-      return b.edges.empty() || !isSeen.insert(b.other).second;
-    };
-    out.erase(std::remove_if(out.begin(), out.end(), isAgain), out.end());
-    return out;
+    if (best.count == size && goesOn(last, loop[BoundaryIndex(best.first)])) --best.count;
+    return best;
   }
 
  private:
@@ -108,32 +102,36 @@ Seams SmallCharts::join(const LaidCharts& charts, const UnwrapOptions& options, 
   const CutSurface& cut = borders.cut();
   const double area = open.mesh.totalArea();
   const double least = kTexels / expectedDensity(options, area, open.unit);
-  const auto firstOf = [&](CutChartId i) { return cut.charts[i].firstTriangle; };
-  std::vector<CutChartId> small;
-  for (const CutChartId i : cut.charts.ids())
-    if (cut.charts[i].isDisk() && !open.mesh.isFilling(firstOf(i)) &&
-        !charts.flat[charts.set.ofTriangle[firstOf(i)]].isFixed &&
-        (cut.charts[i].area < kShare * area || borders.width(i) < least))
-      small.push_back(i);
-  sortStably(small,
-             [&](CutChartId a, CutChartId b) { return cut.charts[a].area < cut.charts[b].area; });
-  Seams before = open.seams;
-  joined_.clear();
   enum class Role : std::uint8_t { None, Guest, Host };
   IdVector<CutChartId, Role> role(cut.charts.size(), Role::None);
-  for (const CutChartId i : small) {
-    if (role[i] != Role::None) continue;
-    for (const Border& border : borders.of(i)) {
-      Role& host = role[border.other];
-      const Pair pair{firstOf(i), firstOf(border.other)};
-      if (host == Role::Guest || (host == Role::Host && !isFirst_) || isRefused_.count(pair) > 0 ||
-          cut.charts[border.other].triangles > kMostTriangles || !cut.charts[border.other].isDisk())
-        continue;
-      role[i] = Role::Guest;
-      host = Role::Host;
-      joined_.push_back(pair);
-      for (const SurfaceCorner h : border.edges) open.seams[h] = open.seams[open.mesh.twin[h]] = 0;
-      break;
+  Seams before = open.seams;
+  joined_.clear();
+  const auto isSmallest = [&](std::uint32_t a, std::uint32_t b) {
+    return cut.charts[CutChartId(a)].area < cut.charts[CutChartId(b)].area;
+  };
+  for (const std::uint32_t k : stableOrder(cut.charts.size(), isSmallest)) {
+    const CutChartId i(k);
+    const CutSurface::Chart& chart = cut.charts[i];
+    if (role[i] != Role::None || !chart.isDisk() || open.mesh.isFilling(chart.firstTriangle) ||
+        charts.flat[charts.set.ofTriangle[chart.firstTriangle]].isFixed ||
+        (chart.area >= kShare * area && borders.width(i) >= least))
+      continue;
+    const auto pairWith = [&](CutChartId j) {
+      return Pair{chart.firstTriangle, cut.charts[j].firstTriangle};
+    };
+    const Border border = borders.dearest(i, [&](CutChartId j) {
+      return role[j] != Role::Guest && (role[j] == Role::None || isFirst_) &&
+             cut.charts[j].isDisk() && cut.charts[j].triangles <= kMostTriangles &&
+             !isRefused(pairWith(j));
+    });
+    if (border.count == 0) continue;
+    role[i] = Role::Guest;
+    role[border.other] = Role::Host;
+    joined_.push_back(pairWith(border.other));
+    const BoundaryLoop loop = cut.outline(i);
+    for (std::size_t n = 0; n < border.count; ++n) {
+      const SurfaceCorner h = loop[BoundaryIndex((border.first + n) % loop.size())];
+      open.seams[h] = open.seams[open.mesh.twin[h]] = 0;
     }
   }
   return joined_.empty() ? Seams() : before;
@@ -161,7 +159,7 @@ IdVector<ChartId, std::uint8_t> SmallCharts::refused(const LaidCharts& before,
   for (const Pair& pair : joined_) {
     const ChartId i = now.set.ofTriangle[pair.first];
     // Where one of several spoils it, each gets another chance alone, unless its image would not.
-    if (isBad[i] && (parts[i] == 2 || mirror)) isRefused_.insert(pair);
+    if (isBad[i] && (parts[i] == 2 || mirror)) refused_.push_back(pair);
   }
   isFirst_ = false;
   IdVector<ChartId, std::uint8_t> out;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <set>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -27,12 +27,15 @@ class SmallCharts {
   /// The first triangles of a small chart and of the neighbour that it is joined to.
   using Pair = std::pair<SurfaceTriangle, SurfaceTriangle>;
 
+  bool isRefused(const Pair& pair) const {
+    return std::find(refused_.begin(), refused_.end(), pair) != refused_.end();
+  }
   void spread(const Mirror& mirror, const ChartSet& set,
               IdVector<ChartId, std::uint8_t>& isBad) const;
 
   bool isFirst_ = true;
   std::vector<Pair> joined_;  ///< in this round
-  std::set<Pair> isRefused_;
+  std::vector<Pair> refused_;
 };
 
 }  // namespace abflat
