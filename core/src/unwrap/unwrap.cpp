@@ -362,7 +362,7 @@ class Unwrapping {
   /// what is left of their layouts.
   Status takeChartsAnew(LaidCharts& before) {
     before = std::move(charts_);
-    const Status s = takeCharts();
+    Status s = takeCharts();
     moveSame(before, charts_);
     return s;
   }
@@ -538,7 +538,7 @@ class Unwrapping {
                     const Seams& seams) {
     if (std::find(isAsked.begin(), isAsked.end(), 1) == isAsked.end()) return {};
     takeBack(before.set, isAsked, seams, open_);
-    const Status s = takeChartsAnew();
+    Status s = takeChartsAnew();
     moveSame(before, charts_);
     return s;
   }
