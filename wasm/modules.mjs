@@ -60,8 +60,9 @@ function ownStarter(text, file) {
   return text.replace(found[0], load + tell);
 }
 
-/** What Emscripten's script would fetch the module with, and what that alone uses. */
+/** How Emscripten's script would read a file. */
 const READING = ['read_', 'readBinary', 'readAsync', 'setWindowTitle'];
+/** Functions with which it would fetch the module, and what they alone call. */
 const FETCHING = [
   'getBinary',
   'getBinaryPromise',

@@ -34,7 +34,8 @@ CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface&
 /// Opens the surface along the cuts, and the holes that they reach.
 void addCuts(const CutsForPacking& cuts, const UnwrapOptionValues& options, OpenSurface& open);
 
-/// Closes what opens charts further than `seams` did. `before`: the charts at that time.
+/// Gives the charts that are asked for the seams back that they had: cuts are closed, and what was
+/// joined is cut again. `before`: the charts with `seams`.
 void takeBack(const ChartSet& before, const IdVector<ChartId, std::uint8_t>& isAsked,
               const Seams& seams, OpenSurface& open);
 
