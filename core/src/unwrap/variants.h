@@ -2,19 +2,11 @@
 
 #include <vector>
 
-#include "unwrap/laid_charts.h"
-#include "unwrap/seams.h"
+#include "unwrap/flat_cut.h"
 
 namespace abflat {
 
-/// A surface that is cut, and its flat charts.
-struct FlatCut {
-  OpenSurface open;
-  LaidCharts charts;
-  IdVector<SurfaceTriangle, double> hidden;  ///< see occlusion(); empty until it is asked for
-};
-
-/// What its seams, charts and their stretch cost in all.
+/// What seams, charts and their stretch cost in all.
 double costOf(const UnwrapOptionValues& options, FlatCut& cut);
 
 /// The costs of further searches for the seams of a surface that are worth their time, which grows

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "unwrap/laid_charts.h"
+#include "unwrap/seams.h"
+
+namespace abflat {
+
+/// A surface that is cut, and its flat charts.
+struct FlatCut {
+  OpenSurface open;
+  LaidCharts charts;
+  IdVector<ChartId, ChartConstraints> constraints;  ///< on the charts
+  IdVector<SurfaceTriangle, double> hidden;  ///< see occlusion(); empty until it is asked for
+};
+
+}  // namespace abflat

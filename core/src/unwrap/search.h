@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "unwrap/flatten_cut.h"
+
+namespace abflat {
+
+/// What a search for seams starts from.
+struct SearchInput {
+  UncutSurface uncut;
+  const AskedCuts& asked;
+};
+
+/// Cuts the surface in other ways, too; each component keeps what turns out best. Then joins charts
+/// that are too small to be worth a seam, and lays all out as asked. `variants`: those worth their
+/// time. `cut`: what the first search found. `settings`: for what is laid out in the end.
+Status searchMore(const SearchInput& input, const std::vector<int>& variants,
+                  const FlattenSettings& settings, FlatCut& cut);
+
+}  // namespace abflat
