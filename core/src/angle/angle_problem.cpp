@@ -75,9 +75,11 @@ void setStraight(AngleProblem& problem, const DiskChart& chart, const StraightPl
   }
 }
 
-void setDelaunay(AngleProblem& problem, const DiskChart& chart, double margin) {
-  problem.edgeLimit = kPi - margin;
+void setDelaunay(AngleProblem& problem, const DiskChart& chart, std::optional<double> margin) {
   problem.edgeCorners.clear();
+  problem.edgeOfCorner.clear();
+  if (!margin) return;
+  problem.edgeLimit = kPi - *margin;
   problem.edgeOfCorner.assign(chart.twin.size(), kNone);
   for (const ChartCorner h : chart.corners()) {
     const ChartCorner twin = chart.twin[h];

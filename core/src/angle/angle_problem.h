@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/parallel.h"
@@ -60,7 +61,8 @@ void setBounds(AngleProblem& problem, const DiskChart& chart, const BoundaryBoun
 /// none.
 void setStraight(AngleProblem& problem, const DiskChart& chart, const StraightPlaces& straight);
 
-/// Adds condition (9), alpha_1 + alpha_2 <= pi - margin, for every interior edge.
-void setDelaunay(AngleProblem& problem, const DiskChart& chart, double margin);
+/// Sets condition (9), alpha_1 + alpha_2 <= pi - margin, for every interior edge. No margin: drops
+/// it.
+void setDelaunay(AngleProblem& problem, const DiskChart& chart, std::optional<double> margin);
 
 }  // namespace abflat

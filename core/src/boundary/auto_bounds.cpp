@@ -80,6 +80,7 @@ void keepBetter(std::optional<Attempt>& best, Attempt other) {
 /// Lowers the bounds of all vertices alike until a layout is valid and not ruined. None if no limit
 /// gives a valid one.
 std::optional<Attempt> lastResort(ChartFlattener& flattener, const BoundaryBounds& t) {
+  const ChartFlattener::StepLimit steps(flattener, kLastSteps);
   std::optional<Attempt> best;
   for (const double limit : kLastResorts) {
     BoundaryBounds tighter = t;
@@ -107,10 +108,9 @@ Attempt untangled(ChartFlattener& flattener, Attempt attempt, Untangle untangle,
       !isTangled(attempt) || attempt.distortion.symmetricDirichlet > effort.mostStretch)
     return attempt;
   const auto first = static_cast<int>(attempt.solution.history.size());
-  flattener.allowSteps(std::max(effort.leastSteps, effort.stepsPerStep * first));
-  Attempt out = untangledWithin(flattener, std::move(attempt), untangle);
-  flattener.allowAllSteps();
-  return out;
+  const ChartFlattener::StepLimit steps(flattener,
+                                        std::max(effort.leastSteps, effort.stepsPerStep * first));
+  return untangledWithin(flattener, std::move(attempt), untangle);
 }
 
 Attempt flattenAutomatically(ChartFlattener& flattener, const BoundaryBounds& t, Untangle untangle,
@@ -124,9 +124,7 @@ Attempt madeValid(ChartFlattener& flattener, Attempt first, const BoundaryBounds
   Attempt best = untangled(flattener, std::move(first), untangle, effort);
   if (best.valid() || best.isCancelled()) return best;
   if (effort.mayStayInvalid) return best;
-  flattener.allowSteps(kLastSteps);
   std::optional<Attempt> last = lastResort(flattener, t);
-  flattener.allowAllSteps();
   if (last && (last->isCancelled() || !isRuined(*last))) return std::move(*last);
   Attempt convex =
       flattener.tutte(t, last ? "the bounds that give a valid layout stretch it beyond use"

@@ -71,9 +71,10 @@ std::string withoutFactorNote(const FactorMemory& memory) {
                                 : "; used conjugate gradients with multigrid instead");
 }
 
-ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options,
+ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options, LayoutDemands demands,
                                std::function<void(Stage)> onStage, const SolverChoice& choice)
     : chart_(chart),
+      demands_(std::move(demands)),
       problem_(buildAngleProblem(chart, options.pool)),
       solver_(std::make_unique<AngleSolver>(problem_, counting(std::move(options)), choice)),
       onStage_(onStage ? std::move(onStage) : [](Stage) {}) {}
@@ -114,17 +115,19 @@ double ChartFlattener::leastDistance(const std::vector<double>& uv) const {
 
 Crossings ChartFlattener::crossings(const std::vector<double>& uv) const {
   Crossings exact = findCrossings(boundaryUv(chart_, uv));
-  return exact.count > 0 || !requiresSeparation_ ? exact : findContacts(chart_, uv);
+  return exact.count > 0 || !demands_.areSeparated ? exact : findContacts(chart_, uv);
 }
 
-Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
+Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm, Exactness exactness) {
   Attempt a;
   a.t = t;
-  setAllBounds(a.t);
+  if (warm) a.delaunayMargin = warm->delaunayMargin;
+  const bool isDelaunay = a.delaunayMargin.has_value();
+  setAllBounds(a.t, a.delaunayMargin);
   Stopwatch watch;
-  const bool isDelaunay = warm && !problem_.edgeCorners.empty();
-  a.solution = isDelaunay ? solver_->solveDelaunay(warm->solution)
-                          : solver_->solve(warm ? &warm->solution : nullptr);
+  a.solution =
+      isDelaunay ? solver_->solveDelaunay(warm->solution)
+                 : solver_->solve(warm ? &warm->solution : nullptr, exactness == Exactness::Rough);
   timings_.solve += watch.lap();
   if (a.solution.cancelled) return withoutLayout(t);
   if (std::string note = withoutFactorNote(solver_->memory()); !note.empty() && !isDelaunay)
@@ -149,26 +152,17 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm) {
   return a;
 }
 
-Attempt ChartFlattener::roughAttempt(const BoundaryBounds& t) {
-  solver_->beRough(true);
-  Attempt out = attempt(t, nullptr);
-  solver_->beRough(false);
-  return out;
-}
-
-void ChartFlattener::setAllBounds(const BoundaryBounds& t) {
+void ChartFlattener::setAllBounds(const BoundaryBounds& t, std::optional<double> delaunayMargin) {
   setBounds(problem_, chart_, t);
-  setStraight(problem_, chart_, straight_);
+  setStraight(problem_, chart_, demands_.straight);
+  setDelaunay(problem_, chart_, delaunayMargin);
 }
 
 std::string ChartFlattener::memoryNote() const { return reasonWithoutFactor(solver_->memory()); }
 
-void ChartFlattener::requireDelaunay(double margin) { setDelaunay(problem_, chart_, margin); }
-
 std::vector<ChartCorner> ChartFlattener::resistingEdges(const Attempt& from) {
   Stopwatch watch;
-  setAllBounds(from.t);
-  setDelaunay(problem_, chart_, 0);
+  setAllBounds(from.t, 0);
   AngleSolution best = from.solution;
   for (const double compliance : kCompliances) {
     problem_.edgeCompliance = compliance;
@@ -197,7 +191,7 @@ Attempt ChartFlattener::tutte(const BoundaryBounds& t, const std::string& reason
   a.solver = Solver::Tutte;
   for (const double weight : kBoundaryWeights) {
     watch.lap();
-    a.uv = embedTutte(chart_, straight_, weight).uv;
+    a.uv = embedTutte(chart_, demands_.straight, weight).uv;
     pose(chart_, {}, a.uv);
     timings_.layout += watch.lap();
     measure(a);
@@ -221,14 +215,15 @@ void ChartFlattener::measure(Attempt& a) {
   onStage_(Stage::Check);
   a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
-  if (!straight_.empty()) a.straight = reportStraight(chart_, straight_, a.uv);
-  a.exceeded = a.pins ? MissedAngles() : exceededBounds(chart_, a.uv, bounds_, straight_);
-  a.bent = a.pins ? MissedAngles() : bentPlaces(chart_, a.uv, straight_);
+  const StraightPlaces& straight = demands_.straight;
+  if (!straight.empty()) a.straight = reportStraight(chart_, straight, a.uv);
+  a.exceeded = a.pins ? MissedAngles() : exceededBounds(chart_, a.uv, demands_.bounds, straight);
+  a.bent = a.pins ? MissedAngles() : bentPlaces(chart_, a.uv, straight);
   timings_.check += watch.lap();
 }
 
 Validity ChartFlattener::check(const std::vector<double>& uv) const {
-  return requiresSeparation_ ? checkSeparated(chart_, uv) : checkValidity(chart_, uv);
+  return demands_.areSeparated ? checkSeparated(chart_, uv) : checkValidity(chart_, uv);
 }
 
 }  // namespace abflat

@@ -45,8 +45,11 @@ struct Attempt {
   std::optional<PinReport> pins;
   std::optional<StraightReport> straight;
   bool wasValidUnpinned = false;  ///< only set for pinned layouts
-  MissedAngles exceeded;          ///< of the bounds asked for; none if pins come first
-  MissedAngles bent;              ///< of the straight runs asked for; none if pins come first
+  /// Margin of condition (9), in radians, for attempts that start from this one; none: it is not
+  /// asked for.
+  std::optional<double> delaunayMargin;
+  MissedAngles exceeded;  ///< of the bounds asked for; none if pins come first
+  MissedAngles bent;      ///< of the straight runs asked for; none if pins come first
 
   bool isCancelled() const { return ending == Ending::Cancelled; }
   bool isGivenUp() const { return ending == Ending::GivenUp; }
@@ -65,28 +68,52 @@ Validity checkSeparated(const DiskChart& chart, const std::vector<double>& uv);
 /// What is done instead of a factor, and why, in one sentence; empty if the factor fits.
 std::string withoutFactorNote(const FactorMemory& memory);
 
+/// What layouts of a chart have to be, beyond maps.
+struct LayoutDemands {
+  /// Then checkSeparated() decides whether layouts are valid, and angles need not be more exact
+  /// than in single precision.
+  bool areSeparated = false;
+  BoundaryBounds bounds = {};    ///< empty: none; attempts may be made with tighter ones
+  StraightPlaces straight = {};  ///< where the boundary goes straight on, whatever the bounds
+};
+
+/// How exact the angles of an attempt have to be.
+enum class Exactness : std::uint8_t {
+  Converged,
+  Rough  ///< just good enough to be refined
+};
+
 /// Solves, lays out and checks one chart for changing bounds, reusing everything that does not
 /// depend on them.
 class ChartFlattener {
  public:
   /// Keeps a reference to the chart. `onStage` is called when Layout and Check begin.
-  ChartFlattener(const DiskChart& chart, SolverOptions options,
+  ChartFlattener(const DiskChart& chart, SolverOptions options, LayoutDemands demands = {},
                  std::function<void(Stage)> onStage = {}, const SolverChoice& choice = {});
   ~ChartFlattener();
   ChartFlattener(const ChartFlattener&) = delete;
   ChartFlattener& operator=(const ChartFlattener&) = delete;
 
   /// `warm`: an attempt with other bounds to start from, or null. If the angles are too small to be
-  /// drawn, the interior point method takes over, with rising floors of its barrier.
-  Attempt attempt(const BoundaryBounds& t, const Attempt* warm);
+  /// drawn, the interior point method takes over, with rising floors of its barrier, unless
+  /// condition (9) is asked for.
+  Attempt attempt(const BoundaryBounds& t, const Attempt* warm,
+                  Exactness exactness = Exactness::Converged);
 
-  /// An attempt whose angles are just good enough to be refined.
-  Attempt roughAttempt(const BoundaryBounds& t);
+  /// While it lives, limits the Newton steps of all attempts together: those that would need more
+  /// are given up.
+  class StepLimit {
+   public:
+    StepLimit(ChartFlattener& flattener, int steps) : flattener_(flattener) {
+      flattener.mostSteps_ = flattener.steps_ + steps;
+    }
+    ~StepLimit() { flattener_.mostSteps_ = std::numeric_limits<int>::max(); }
+    StepLimit(const StepLimit&) = delete;
+    StepLimit& operator=(const StepLimit&) = delete;
 
-  /// Limits the Newton steps of all further attempts together: attempts that would need more are
-  /// given up.
-  void allowSteps(int more) { mostSteps_ = steps_ + more; }
-  void allowAllSteps() { mostSteps_ = std::numeric_limits<int>::max(); }
+   private:
+    ChartFlattener& flattener_;
+  };
 
   bool isSpent() const { return steps_ > mostSteps_; }
 
@@ -99,22 +126,7 @@ class ChartFlattener {
   /// Crossings of the boundary, as the validity of a layout counts them.
   Crossings crossings(const std::vector<double>& uv) const;
 
-  const StraightPlaces& straight() const { return straight_; }
-
-  /// From now on, checkSeparated() decides whether layouts are valid, and angles need not be more
-  /// exact than in single precision.
-  void requireSeparation() { requiresSeparation_ = true; }
-
-  /// From now on, layouts are not valid if they exceed these bounds. Attempts may be made with
-  /// tighter ones.
-  void requireBounds(BoundaryBounds bounds) { bounds_ = std::move(bounds); }
-
-  /// From now on, the boundary goes straight on at these places, whatever the bounds.
-  void requireStraight(StraightPlaces straight) { straight_ = std::move(straight); }
-
-  /// From now on, attempts also meet condition (9), with the given margin in radians, and need an
-  /// attempt to start from. No interior point method can take over then.
-  void requireDelaunay(double margin);
+  const StraightPlaces& straight() const { return demands_.straight; }
 
   /// Interior edges, as half-edges, that stay violated when condition (9) is met as far as possible
   /// with the bounds of `from`.
@@ -148,20 +160,18 @@ class ChartFlattener {
   /// Counts steps, and ends the solution with the last step allowed.
   SolverOptions counting(SolverOptions options);
   Attempt withoutLayout(const BoundaryBounds& t) const;
-  void setAllBounds(const BoundaryBounds& t);
+  void setAllBounds(const BoundaryBounds& t, std::optional<double> delaunayMargin);
   void layOutAndCheck(Attempt& a);
   Validity check(const std::vector<double>& uv) const;
 
   const DiskChart& chart_;
+  const LayoutDemands demands_;
   AngleProblem problem_;
   std::unique_ptr<AngleSolver> solver_;  ///< until solving has ended
   std::function<void(Stage)> onStage_;
   Timings timings_;
-  bool requiresSeparation_ = false;
   bool isStopped_ = false;  ///< by the caller
   int steps_ = 0, mostSteps_ = std::numeric_limits<int>::max();
-  BoundaryBounds bounds_;  ///< empty: none
-  StraightPlaces straight_;
   IdVector<ChartVertex, std::uint32_t> eliminationRank_;  ///< once solving has ended
 };
 

@@ -41,6 +41,7 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
   const auto keep = [&](const std::string& why) {
     if (!why.empty()) attempt.fallbacks.push_back("the layout is not Delaunay: " + why);
     attempt.delaunay = report;
+    attempt.delaunayMargin = std::nullopt;
     return std::move(attempt);
   };
   if (before.violated.empty()) return keep({});
@@ -50,7 +51,7 @@ Attempt madeDelaunay(ChartFlattener& flattener, Attempt attempt, Untangle untang
 
   std::string why;
   for (const double margin : kMargins) {
-    flattener.requireDelaunay(margin);
+    attempt.delaunayMargin = margin;
     Attempt next = untangled(flattener, flattener.attempt(attempt.t, &attempt), untangle);
     if (next.isCancelled()) return next;
     why = objection(next, attempt);

@@ -147,9 +147,8 @@ class Flattening {
     solver.onStep = [this](int, const NewtonStep& now) { return monitor_.tellStep(now); };
     solver.allowedBytes = allowedBytes(options_.memory);
     ChartFlattener flattener(
-        chart, solver, [this](Stage stage) { monitor_.tellStage(stage); }, choice_);
-    flattener.requireBounds(bounds_);
-    flattener.requireStraight(straight_);
+        chart, solver, {false, bounds_, straight_},
+        [this](Stage stage) { monitor_.tellStage(stage); }, choice_);
     const double setUp = watch_.lap();
     best_ = bestLayout(flattener, solver);
     if (best_.isCancelled() || monitor_.stopped()) return aborted();

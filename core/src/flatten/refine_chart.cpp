@@ -198,8 +198,8 @@ Attempt flattenAndRefine(ChartFlattener& flattener, const OutlineGoal& goal, con
     refineChart(flattener, constraints, out);
     return out;
   }
-  Attempt first =
-      constraints.mayBeRough ? flattener.roughAttempt(goal.t) : flattener.attempt(goal.t, nullptr);
+  Attempt first = flattener.attempt(
+      goal.t, nullptr, constraints.mayBeRough ? Exactness::Rough : Exactness::Converged);
   if (isTangled(first)) {
     const RefiningTime time(flattener);
     Attempt out = refined(flattener, optionsFor(flattener, constraints, Outline::Free), first);

@@ -31,18 +31,16 @@ AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
   if (choice.make) chosen_ = choice.make(problem);
 }
 
-void AngleSolver::beRough(bool isRough) { isRough_ = isRough; }
-
-AngleSolution AngleSolver::solve(const AngleSolution* start) {
-  AngleSolution s = runActiveSet(start);
-  if (start && !s.converged && !s.cancelled) s = runActiveSet(nullptr);
+AngleSolution AngleSolver::solve(const AngleSolution* start, bool isRough) {
+  AngleSolution s = runActiveSet(start, isRough);
+  if (start && !s.converged && !s.cancelled) s = runActiveSet(nullptr, isRough);
   return s.converged || s.cancelled ? s : solveWithFloor(kDefaultBarrierFloor);
 }
 
-AngleSolution AngleSolver::runActiveSet(const AngleSolution* start) {
+AngleSolution AngleSolver::runActiveSet(const AngleSolution* start, bool isRough) {
   SolverOptions options = options_;
   options.maxSteps = kActiveSetSteps;
-  if (isRough_) {
+  if (isRough) {
     options.constraintTolerance = kRough;
     options.gradientTolerance = std::numeric_limits<double>::infinity();
   }

@@ -16,12 +16,9 @@ class AngleSolver {
   /// Keeps a reference to the problem, whose bounds may change between calls.
   AngleSolver(const AngleProblem& problem, SolverOptions options, const SolverChoice& choice = {});
 
-  /// Whether active sets end, from now on, as soon as wheels close to a thousandth, which is good
-  /// enough to start something else from.
-  void beRough(bool isRough);
-
-  /// `start`: a solution for other bounds to start from, or null.
-  AngleSolution solve(const AngleSolution* start);
+  /// `start`: a solution for other bounds to start from, or null. `isRough`: active sets end as
+  /// soon as wheels close to a thousandth, which is good enough to start something else from.
+  AngleSolution solve(const AngleSolution* start, bool isRough = false);
 
   /// The interior point with a given floor of its barrier: the higher the floor, the larger the
   /// smallest angle.
@@ -36,11 +33,10 @@ class AngleSolver {
   }
 
  private:
-  AngleSolution runActiveSet(const AngleSolution* start);
+  AngleSolution runActiveSet(const AngleSolution* start, bool isRough);
 
   const AngleProblem& problem_;
   SolverOptions options_;
-  bool isRough_ = false;
   LinearSolver linearSolver_;
   Formulation formulation_;
   std::unique_ptr<NewtonSystem> system_;

@@ -98,15 +98,13 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   solver.pool = &pool;
   solver.onStep = [&](int, const NewtonStep&) { return goesOn(); };
   solver.allowedBytes = allowedBytes(options.memory);
-  ChartFlattener flattener(chart, solver, [&](Stage) { goesOn(); });
-  flattener.requireSeparation();
-  flattener.requireStraight(constraints.straight);
   // The n angles that may differ from pi sum to (n - 2) pi, so a chart with few of them cannot be
   // as convex as others.
   const auto n = static_cast<double>(placesThatTurn(chart, constraints.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const BoundaryBounds bounds(chart.boundary.size(), t);
-  flattener.requireBounds(bounds);
+  ChartFlattener flattener(chart, solver, {true, bounds, constraints.straight},
+                           [&](Stage) { goesOn(); });
   const OutlineGoal goal = options.t == kAutoT ? automaticGoal(bounds) : OutlineGoal{bounds};
   RefineConstraints refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
   refining.mayBeRough = true;

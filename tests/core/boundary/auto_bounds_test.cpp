@@ -145,8 +145,7 @@ TEST_CASE("Tutte's embedding is not valid where it exceeds a bound, and says so"
   const DiskChart chart = chartOf(bumpyGrid(8, 8, 0.3, 1));
   BoundaryBounds t(chart.boundary.size(), 2);
   const auto tutte = [&] {
-    ChartFlattener flattener(chart, {});
-    flattener.requireBounds(t);
+    ChartFlattener flattener(chart, {}, {false, t, {}});
     return flattener.tutte(t, "asked for");
   };
   const Attempt free = tutte();

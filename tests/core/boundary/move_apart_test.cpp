@@ -108,13 +108,14 @@ Counted unwrapped(const PolygonMesh& mesh) {
   return out;
 }
 
+const LayoutDemands kSeparated{true, {}, {}};
+
 }  // namespace
 
 TEST_CASE("a slit that closes again is opened without another solution") {
   for (const unsigned n : {6u, 20u, 60u}) {
     const DiskChart chart = chartOf(slitSheet(n));
-    ChartFlattener flattener(chart, {});
-    flattener.requireSeparation();
+    ChartFlattener flattener(chart, {}, kSeparated);
     const Attempt closed = flattener.attempt(BoundaryBounds(chart.boundary.size(), 2), nullptr);
     REQUIRE(closed.validity.crossings.count > 0);
     const int steps = flattener.steps();
@@ -136,15 +137,14 @@ TEST_CASE("a slit that closes again is opened without another solution") {
 TEST_CASE("bounds and straight runs are not given up to draw a boundary back") {
   const DiskChart chart = chartOf(slitSheet(20));
   const std::size_t n = chart.boundary.size();
-  ChartFlattener flattener(chart, {});
-  flattener.requireSeparation();
-  Attempt closed = flattener.attempt(BoundaryBounds(n, 2), nullptr);
+  const Attempt closed =
+      ChartFlattener(chart, {}, kSeparated).attempt(BoundaryBounds(n, 2), nullptr);
   REQUIRE(closed.validity.crossings.count > 0);
   // The layout's present angles, except where it is free anyway.
   BoundaryBounds present;
   for (const ChartCorner h : chart.boundary)
     present.push_back(boundaryAngle(chart, closed.uv, h) / kPi);
-  flattener.requireBounds(present);
+  ChartFlattener flattener(chart, {}, {true, present, {}});
   const Attempt open = movedApart(flattener, closed);
   CHECK_FALSE(open.valid());
   CHECK(open.validity.valid());
@@ -161,9 +161,7 @@ TEST_CASE("straight runs that touch are drawn back as a whole") {
       straight[i] = p[0] * chart.unit == n / 2 && p[1] > 0 && p[1] * chart.unit < n / 2;
     }
     REQUIRE(placesThatTurn(chart, straight) + 2 * (n / 2 - 1) == chart.boundary.size());
-    ChartFlattener flattener(chart, {});
-    flattener.requireSeparation();
-    flattener.requireStraight(straight);
+    ChartFlattener flattener(chart, {}, {true, {}, straight});
     const Attempt closed = flattener.attempt(BoundaryBounds(chart.boundary.size(), 2), nullptr);
     REQUIRE(closed.validity.crossings.count > 0);
     const Attempt open = movedApart(flattener, closed);

@@ -115,8 +115,9 @@ TEST_CASE("a refined outline keeps its bounds and straight parts", "[refine]") {
       ThreadPool pool(1);
       SolverOptions solver;
       solver.pool = &pool;
-      ChartFlattener flattener(chart, solver);
-      if (seed % 2 == 1 || t == 2) flattener.requireStraight(oneSide(chart, seed, 7));
+      const bool isStraight = seed % 2 == 1 || t == 2;
+      ChartFlattener flattener(
+          chart, solver, {false, {}, isStraight ? oneSide(chart, seed, 7) : StraightPlaces()});
       FlattenOptions options;
       options.t = t;
       const BoundaryBounds bounds(chart.boundary.size(), t);

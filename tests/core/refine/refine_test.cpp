@@ -106,7 +106,7 @@ TEST_CASE("what rough angles are refined to is as good, after fewer steps", "[re
     const DiskChart chart = chartOf(bumpyGrid(9 + seed, 14, 0.2 * (seed + 1), seed));
     const BoundaryBounds free(chart.boundary.size(), 2);
     ChartFlattener flattener(chart, {});
-    const Attempt rough = flattener.roughAttempt(free);
+    const Attempt rough = flattener.attempt(free, nullptr, Exactness::Rough);
     const Attempt exact = flattener.attempt(free, nullptr);
     REQUIRE(rough.valid());
     CAPTURE(seed);

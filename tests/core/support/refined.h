@@ -13,8 +13,7 @@ inline std::vector<double> conformalLayout(const DiskChart& chart) {
   ThreadPool pool(1);
   SolverOptions options;
   options.pool = &pool;
-  ChartFlattener flattener(chart, options);
-  flattener.requireSeparation();
+  ChartFlattener flattener(chart, options, {true, {}, {}});
   const Attempt a =
       flattenChart(flattener, automaticGoal(BoundaryBounds(chart.boundary.size(), 2)));
   REQUIRE(a.valid());
