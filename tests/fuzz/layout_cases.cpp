@@ -59,8 +59,7 @@ UnwrapCase unwrapCase(const std::uint8_t* bytes, std::size_t size) {
     addShading(out.mesh, random);
     out.options.seams.followsHardEdges = random.flag();
   }
-  out.options.roundsToSingle = format == 1;
-  out.options.roundsForGltf = format == 2;
+  out.options.rounding = static_cast<Rounding>(format);
   return out;
 }
 
@@ -88,8 +87,7 @@ std::string shown(const UnwrapCase& c) {
       << seams.followsTexcoords << ", material " << seams.followsMaterials << ", hard "
       << seams.followsHardEdges << "\n";
   for (const EdgeVertices& e : seams.edges) out << "# seam " << e[0] << " " << e[1] << "\n";
-  out << "# rounds to single " << c.options.roundsToSingle << ", for glTF "
-      << c.options.roundsForGltf << "\n";
+  out << "# rounding " << static_cast<int>(c.options.rounding) << "\n";
   const bool hasAll =
       std::count(c.mesh.faceTexcoords.begin(), c.mesh.faceTexcoords.end(), kNoTexcoord) == 0;
   if (!hasAll) out << "# texcoords: of some faces only, not shown\n";

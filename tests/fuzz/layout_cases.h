@@ -15,7 +15,6 @@ struct UnwrapCase {
 };
 UnwrapCase unwrapCase(const std::uint8_t* bytes, std::size_t size);
 
-enum class Rounding { None, Single, Gltf };
 struct FlattenCase {
   PolygonMesh mesh;
   FlattenOptions options;

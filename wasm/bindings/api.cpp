@@ -135,8 +135,8 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatSeamEdges(Job* job, std::size_t count)
 
 /// Buffer for faces that keep their texcoords.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedFaces(Job* job, std::size_t count) {
-  job->unwrapOptions.fixedFaces.resize(count);
-  return job->unwrapOptions.fixedFaces.data();
+  job->unwrapOptions.reuse.fixedFaces.resize(count);
+  return job->unwrapOptions.reuse.fixedFaces.data();
 }
 
 /// Makes all faces that have texcoords keep them.
@@ -144,17 +144,19 @@ EMSCRIPTEN_KEEPALIVE void abflatKeepUv(Job* job) { job->keepsUv = true; }
 
 /// Unwraps islands that cannot keep their texcoords, instead of an error.
 EMSCRIPTEN_KEEPALIVE void abflatKeepsValidOnly(Job* job) {
-  job->unwrapOptions.keepsValidOnly = true;
+  job->unwrapOptions.reuse.keepsValidOnly = true;
 }
 
 /// Buffer for charts of a known layout that stay where they are.
 EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t count) {
-  job->unwrapOptions.fixedCharts.resize(count);
-  return job->unwrapOptions.fixedCharts.data();
+  job->unwrapOptions.reuse.fixedCharts.resize(count);
+  return job->unwrapOptions.reuse.fixedCharts.data();
 }
 
 /// Makes known charts stay where they are.
-EMSCRIPTEN_KEEPALIVE void abflatKeepsPlaces(Job* job) { job->unwrapOptions.keepsPlaces = true; }
+EMSCRIPTEN_KEEPALIVE void abflatKeepsPlaces(Job* job) {
+  job->unwrapOptions.reuse.keepsPlaces = true;
+}
 
 /// Buffer for the texel density wanted for each face, relative to the others.
 EMSCRIPTEN_KEEPALIVE double* abflatFaceDensities(Job* job, std::size_t count) {
@@ -170,13 +172,15 @@ EMSCRIPTEN_KEEPALIVE void* abflatKnown(Job* job, int field, std::size_t size) {
 /// The options that the known layout was made with.
 EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, double balance,
                                              bool straightSeams) {
-  job->unwrapOptions.known.t = t;
-  job->unwrapOptions.known.balance = balance;
-  job->unwrapOptions.known.straightSeams = straightSeams;
+  job->unwrapOptions.reuse.known.t = t;
+  job->unwrapOptions.reuse.known.balance = balance;
+  job->unwrapOptions.reuse.known.straightSeams = straightSeams;
 }
 
 /// Rounds texcoords to what a glTF can hold.
-EMSCRIPTEN_KEEPALIVE void abflatRoundsForGltf(Job* job) { job->unwrapOptions.roundsForGltf = true; }
+EMSCRIPTEN_KEEPALIVE void abflatRoundsForGltf(Job* job) {
+  job->unwrapOptions.rounding = Rounding::Gltf;
+}
 
 /// Moves and scales a flattened mesh into the unit square.
 EMSCRIPTEN_KEEPALIVE void abflatNormalizes(Job* job) { job->normalizes = true; }

@@ -73,7 +73,7 @@ Bytes resultOf(const Job& job, Field field) {
 Bytes methodUvOf(const Job& job, std::size_t method) { return bytesOf(job.methods[method].uv); }
 
 void* knownRoom(Job& job, Field field, std::size_t size) {
-  KnownLayout& known = job.unwrapOptions.known;
+  KnownLayout& known = job.unwrapOptions.reuse.known;
   if (field == Field::Unpacked || field == Field::Uv) {
     std::vector<double>& reals = field == Field::Uv ? known.uv : known.unpacked;
     reals.resize(size);
@@ -168,7 +168,7 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
     Result<FlattenResult> flat = flatten(job.mesh, job.options);
     if (!flat.ok()) return flat;
     if (job.normalizes) fitUnitSquare(job.mesh, flat.value);
-    if (job.unwrapOptions.roundsForGltf)
+    if (job.unwrapOptions.rounding == Rounding::Gltf)
       roundForGltf(job.mesh, flat.value);
     else if (wanted.ply)
       roundToSinglePrecision(job.mesh, flat.value);
@@ -189,7 +189,7 @@ Result<UnwrapResult> unwrapMesh(Job& job) {
   if (job.keepsUv) {
     Result<std::vector<std::uint32_t>> faces = facesWithTexcoords(job.mesh);
     if (!faces.ok()) return Status{faces.status.code, "fixedFaces: " + faces.status.message};
-    job.unwrapOptions.fixedFaces = std::move(faces.value);
+    job.unwrapOptions.reuse.fixedFaces = std::move(faces.value);
   }
   Result<UnwrapResult> atlas = unwrap(job.mesh, job.unwrapOptions);
   turnFaces(job.mesh, atlas.value);
@@ -205,8 +205,8 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
   seams.value.edges = std::move(job.unwrapOptions.seams.edges);
   job.unwrapOptions.seams = std::move(seams.value);
   job.unwrapOptions.progress = progress;
-  job.unwrapOptions.roundsToSingle =
-      !job.unwrapOptions.roundsForGltf && (wanted.ply || !wanted.obj);
+  if (job.unwrapOptions.rounding != Rounding::Gltf)
+    job.unwrapOptions.rounding = wanted.ply || !wanted.obj ? Rounding::Single : Rounding::None;
   const auto compute = [&] { return unwrapMesh(job); };
   const auto arrays = [&](UnwrapResult& atlas) {
     job.layout.uv = gather(atlas.uv, 2, atlas.vertexUv);

@@ -9,7 +9,7 @@
 namespace abflat {
 
 /// Faces that have texcoords at all of their corners, ascending. Passed as
-/// UnwrapOptions::fixedFaces, they keep these texcoords. Errors: InvalidOption when the mesh has no
+/// ReuseOptions::fixedFaces, they keep these texcoords. Errors: InvalidOption when the mesh has no
 /// texcoords.
 Result<std::vector<std::uint32_t>> facesWithTexcoords(const PolygonMesh& mesh);
 

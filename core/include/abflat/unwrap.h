@@ -25,15 +25,18 @@ struct KnownLayout {
   std::vector<std::uint32_t> chartOfTriangle;
 };
 
-struct UnwrapOptions : UnwrapOptionValues {
-  SeamSources seams;
-  /// Positions in the atlas. Each chart has either no pins or at least two, as in FlattenOptions. A
-  /// pinned chart stays where its pins put it, and the others are packed around it.
-  std::vector<Pin> pins;
+/// What stays as it is in the input or in an earlier run.
+struct ReuseOptions {
   /// Charts with the same triangles and outline as one of these are not flattened again, which
   /// makes it cheap to change seams little by little. With straight seams, seams must also end at
   /// the same places along the outline. Empty `triangles`: no earlier layout.
   KnownLayout known;
+  /// Charts of `known` that stay exactly where they are, as `fixedFaces` do.
+  std::vector<std::uint32_t> fixedCharts;
+  /// Charts that need not be flattened again, because they are known, also stay exactly where they
+  /// are in `known`. The others are packed around them, at their texel density if there is room.
+  /// Charts that stay may overlap or leave their tile; the report then says so.
+  bool keepsPlaces = false;
   /// Faces of the input whose uv islands stay exactly as they are; all others are packed around
   /// them. Islands are bounded by edges with different texcoords on their two sides.
   std::vector<std::uint32_t> fixedFaces;
@@ -41,23 +44,30 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// report names them: where a face is mirrored, degenerate in uv or outside its tile, or where
   /// the island overlaps itself or another one. Otherwise they are an error.
   bool keepsValidOnly = false;
-  /// Charts of `known` that stay exactly where they are, as above.
-  std::vector<std::uint32_t> fixedCharts;
-  /// Charts that need not be flattened again, because they are known, also stay exactly where they
-  /// are in `known`. The others are packed around them, at their texel density if there is room.
-  /// Charts that stay may overlap or leave their tile; the report then says so.
-  bool keepsPlaces = false;
+};
+
+/// To what texcoords are rounded before they are checked.
+enum class Rounding : std::uint8_t {
+  None,
+  /// To single precision, since files and graphics cards hold them so; 1 - v is then exact in
+  /// single precision as well. Skipped if it would make a chart invalid.
+  Single,
+  /// To what a glTF holds, even if that makes charts invalid: single precision, with v from the
+  /// top.
+  Gltf
+};
+
+struct UnwrapOptions : UnwrapOptionValues {
+  SeamSources seams;
+  /// Positions in the atlas. Each chart has either no pins or at least two, as in FlattenOptions. A
+  /// pinned chart stays where its pins put it, and the others are packed around it.
+  std::vector<Pin> pins;
+  ReuseOptions reuse;
   /// Per face of the input, the texel density wanted for it relative to the others, from 0.001 to
   /// 1000; empty: 1 each. A chart has as many texels as its faces ask for together. Charts that are
   /// fixed, pinned or stay in their places are left as they are.
   std::vector<double> faceDensities;
-  /// Rounds texcoords to single precision before they are checked, since files and graphics cards
-  /// hold them so; 1 - v is then exact in single precision as well. Skipped if it would make a
-  /// chart invalid.
-  bool roundsToSingle = false;
-  /// Rounds texcoords to what a glTF holds, even if that makes charts invalid: single precision,
-  /// with v from the top.
-  bool roundsForGltf = false;
+  Rounding rounding = Rounding::None;
 
   /// Newton steps are not reported.
   ProgressCallback progress;

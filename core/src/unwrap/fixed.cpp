@@ -36,8 +36,8 @@ Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,
 
 /// Adds charts of an earlier run, with the texcoords they had there.
 Status addCharts(const SurfaceMap& map, const UnwrapOptions& options, FixedTriangles& out) {
-  if (options.fixedCharts.empty()) return {};
-  const KnownLayout& known = options.known;
+  if (options.reuse.fixedCharts.empty()) return {};
+  const KnownLayout& known = options.reuse.known;
   const Result<TriangleOrder> order = knownTriangles(known, map);
   if (!order.ok()) return order.status;
   if (known.uv.size() != 2 * known.vertexMap.size())
@@ -45,7 +45,7 @@ Status addCharts(const SurfaceMap& map, const UnwrapOptions& options, FixedTrian
   std::vector<std::uint8_t> exists(known.chartOfTriangle.size(), 0), stays(exists);
   for (const std::uint32_t chart : known.chartOfTriangle)
     if (chart < exists.size()) exists[chart] = 1;
-  for (const std::uint32_t chart : options.fixedCharts) {
+  for (const std::uint32_t chart : options.reuse.fixedCharts) {
     if (chart >= exists.size() || !exists[chart])
       return invalid("chart " + std::to_string(chart) +
                      " cannot stay fixed: the known layout has no such chart");
@@ -189,16 +189,16 @@ ChartDistortion distortionOf(const FixedChart& c) {
 
 Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions& options) {
   FixedTriangles out;
-  if (options.fixedFaces.empty() && options.fixedCharts.empty()) return out;
+  if (options.reuse.fixedFaces.empty() && options.reuse.fixedCharts.empty()) return out;
   const CornerTable& table = map.surface().table;
   out.isFixed.assign(table.triangles().size(), 0);
   out.texcoords = map.input().texcoords;
   out.ofCorner = map.input().faceTexcoords;
   out.ofCorner.resize(map.input().faceVertices.size(), kNoTexcoord);
-  if (Status s = addFaces(map, options.fixedFaces, out); !s.ok()) return s;
+  if (Status s = addFaces(map, options.reuse.fixedFaces, out); !s.ok()) return s;
   if (Status s = addCharts(map, options, out); !s.ok()) return s;
   growIslands(map, out);
-  if (options.keepsValidOnly) out.note = freeUnfitIslands(map, options.udim, out);
+  if (options.reuse.keepsValidOnly) out.note = freeUnfitIslands(map, options.udim, out);
   if (Status s = checkTexcoords(map, out); !s.ok()) return s;
   out.borders.assign(table.twin.size(), 0);
   for (const SurfaceCorner h : table.corners()) {
@@ -228,14 +228,15 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const Unwra
     out.unpacked.assign(out.uv.size(), NAN);
     // What it lies on may be a chart that merely keeps its place.
     const bool isMirrored =
-        stacked[i].isMirrored ||
-        (options.keepsPlaces && options.stack == Stack::Mirrored && runsClockwise(chart, out.uv));
+        stacked[i].isMirrored || (options.reuse.keepsPlaces && options.stack == Stack::Mirrored &&
+                                  runsClockwise(chart, out.uv));
     const FixedChart c{chart, out.uv,
                        [&](ChartTriangle f) { return mesh.map.face(topology.triangles[f]); },
                        isMirrored ? -1 : 1};
-    if (Status s = options.keepsPlaces ? Status() : checkTile(c, options.udim); !s.ok()) return s;
+    if (Status s = options.reuse.keepsPlaces ? Status() : checkTile(c, options.udim); !s.ok())
+      return s;
     if (Status s = checkTriangles(c); !s.ok()) {
-      if (!options.keepsPlaces) return s;
+      if (!options.reuse.keepsPlaces) return s;
       out.problem = kWrongInPlace;
     }
     out.solver = Solver::Given;
@@ -247,7 +248,7 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const Unwra
     for (const ChartVertex v : chart.vertexOfCorner)
       triangles.insert(triangles.end(), {out.uv[2 * v], out.uv[2 * v + 1]});
   }
-  if (options.keepsPlaces) return {};
+  if (options.reuse.keepsPlaces) return {};
   const auto pair = findOverlap(triangles);
   if (!pair) return {};
   return invalid("the texcoords of faces " + std::to_string(faces[(*pair)[0]]) + " and " +

@@ -17,9 +17,9 @@ struct FixedTriangles {
   std::string note;                                 ///< which islands do not stay; may be empty
 };
 
-/// The islands of `options.fixedFaces`, and known charts that are fixed. Errors: InvalidOption,
-/// naming a face or chart that does not exist, or a face that has no texcoords. With
-/// `options.keepsValidOnly`, islands that cannot stay are not fixed.
+/// The islands of `options.reuse.fixedFaces`, and known charts that are fixed. Errors:
+/// InvalidOption, naming a face or chart that does not exist, or a face that has no texcoords. With
+/// `options.reuse.keepsValidOnly`, islands that cannot stay are not fixed.
 Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions& options);
 
 /// Sets the layouts of fixed charts. Errors, unless `options` keep places whatever is there:

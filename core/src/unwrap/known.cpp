@@ -158,11 +158,11 @@ Result<TriangleOrder> knownTriangles(const KnownLayout& known, const SurfaceMap&
 
 Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartConstraints>& constraints,
                  const UnwrapOptions& options, ThreadPool& pool, FlatCharts& flat) {
-  const KnownLayout& layout = options.known;
+  const KnownLayout& layout = options.reuse.known;
   if (layout.triangles.empty()) return {};
   Result<TriangleOrder> order = knownTriangles(layout, mesh.map);
   if (!order.ok()) return order.status;
-  if (options.keepsPlaces)
+  if (options.reuse.keepsPlaces)
     if (Status s = checkPlaces(layout); !s.ok()) return s;
   Known known{layout, std::move(order.value), {}};
   // The earlier run asked for different angles.
@@ -186,7 +186,7 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartConstraints>&
     if (options.straightSeams && !hasSameEnds(mesh, i, before, now)) return;
     const DiskChart chart = mesh.set.chart(i);
     const std::vector<double> inUnits = inChartUnit(chart, uv);
-    const bool keepsPlace = options.keepsPlaces && constraints[i].pins.empty();
+    const bool keepsPlace = options.reuse.keepsPlaces && constraints[i].pins.empty();
     if (!checkSeparated(chart, inUnits).valid()) {
       // What is wrong stays so unless a seam may help.
       if (!keepsPlace || options.seams.isAuto || !isUncut(known, mesh.set.topology(i))) return;

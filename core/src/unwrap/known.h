@@ -18,8 +18,8 @@ constexpr const char* kWrongInPlace =
 /// layout is of another mesh.
 Result<TriangleOrder> knownTriangles(const KnownLayout& known, const SurfaceMap& map);
 
-/// Gives each chart without a layout the one in `options.known`, if that is valid and as asked,
-/// apart from pins. Errors: InvalidOption if the known layout is of another mesh.
+/// Gives each chart without a layout the one in `options.reuse.known`, if that is valid and as
+/// asked, apart from pins. Errors: InvalidOption if the known layout is of another mesh.
 Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartConstraints>& constraints,
                  const UnwrapOptions& options, ThreadPool& pool, FlatCharts& flat);
 

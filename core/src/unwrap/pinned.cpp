@@ -59,7 +59,8 @@ Status checkPinned(const CutMesh& mesh, const UnwrapOptions& options, const Flat
   std::vector<double> triangles;  // 6 coordinates each
   std::vector<InputFace> faces;   // one per triangle
   for (const ChartId i : flat.ids()) {
-    if (!flat[i].isFixed || flat[i].isStacked || (flat[i].isGiven && options.keepsPlaces)) continue;
+    if (!flat[i].isFixed || flat[i].isStacked || (flat[i].isGiven && options.reuse.keepsPlaces))
+      continue;
     const ChartTopology chart = mesh.set.topology(i);
     const std::vector<double>& uv = flat[i].uv;
     for (std::size_t k = 0; k < uv.size() && !flat[i].isGiven; ++k)

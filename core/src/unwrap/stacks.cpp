@@ -8,7 +8,9 @@
 namespace abflat {
 
 /// Charts of an earlier run that keep their places stay as they are.
-bool Stacks::mayStack() const { return options_.stack != Stack::None && !options_.keepsPlaces; }
+bool Stacks::mayStack() const {
+  return options_.stack != Stack::None && !options_.reuse.keepsPlaces;
+}
 
 void Stacks::leaveOutComponents(const UncutParts& parts) {
   if (!mayStack()) return;

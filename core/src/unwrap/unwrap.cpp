@@ -224,9 +224,9 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
   monitor.tellAgain();
   cut.charts.set = ChartSet();
   surface = Surface();
-  certify(input, welded, options.roundsForGltf ? Numbers::Gltf : Numbers::Double, out);
+  certify(input, welded, options.rounding == Rounding::Gltf ? Numbers::Gltf : Numbers::Double, out);
   stacks.check(report);
-  if (!options.roundsForGltf)
+  if (options.rounding != Rounding::Gltf)
     if (std::string note = foldedFansNote(input, out); !note.empty())
       report.notes.push_back(std::move(note));
   if (!stages.end()) return aborted();
@@ -243,9 +243,10 @@ Result<UnwrapResult> unwrapScaled(const PolygonMesh& mesh, const UnwrapOptions& 
 Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& options) {
   // So that nothing overflows or is lost below, and results are the same in every unit.
   const int exponent = exponentOf(mesh);
-  if (exponent == 0 || options.known.unpacked.empty()) return unwrapScaled(mesh, options, exponent);
+  if (exponent == 0 || options.reuse.known.unpacked.empty())
+    return unwrapScaled(mesh, options, exponent);
   UnwrapOptions inUnits = options;
-  for (double& x : inUnits.known.unpacked) x = std::ldexp(x, -exponent);
+  for (double& x : inUnits.reuse.known.unpacked) x = std::ldexp(x, -exponent);
   return unwrapScaled(mesh, inUnits, exponent);
 }
 

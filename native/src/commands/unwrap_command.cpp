@@ -26,6 +26,11 @@ struct UnwrapJob {
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
   }
 
+  static Rounding roundingFor(FileFormat format) {
+    if (format == FileFormat::Gltf) return Rounding::Gltf;
+    return format == FileFormat::Ply ? Rounding::Single : Rounding::None;
+  }
+
   static Result<UnwrapResult> compute(const UnwrapCommand& command, const PolygonMesh& mesh,
                                       ProgressCallback progress) {
     UnwrapOptions options;
@@ -39,14 +44,13 @@ struct UnwrapJob {
     Result<std::vector<std::uint32_t>> kept =
         facesToKeep(command.keep, mesh, inputName(command.input));
     if (!kept.ok()) return kept.status;
-    options.fixedFaces = std::move(kept.value);
+    options.reuse.fixedFaces = std::move(kept.value);
     if (!command.pins.empty()) {
       Result<std::vector<Pin>> pins = readPins(command.pins);
       if (!pins.ok()) return pins.status;
       options.pins = std::move(pins.value);
     }
-    options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
-    options.roundsForGltf = writtenFormat(command.output) == FileFormat::Gltf;
+    options.rounding = roundingFor(writtenFormat(command.output));
     options.progress = std::move(progress);
     const double afterReading = peakMemory();
     Result<UnwrapResult> result =

@@ -86,7 +86,7 @@ TEST_CASE("layouts for another balance are not taken over", "[balance]") {
     UnwrapOptions options = balanced(balance);
     options.seams.isAuto = false;
     options.seams.edges = first.seams;
-    options.known = knownLayout(first);
+    options.reuse.known = knownLayout(first);
     const UnwrapResult r = unwrapped(mesh, options);
     return std::count_if(r.report.charts.begin(), r.report.charts.end(),
                          [](const UnwrapChart& c) { return c.solver == Solver::Known; });

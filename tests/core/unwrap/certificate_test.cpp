@@ -106,7 +106,7 @@ TEST_CASE("a layout that is known is known in any unit", "[certificate]") {
   options.minUtilization = 0;
   options.padding = 0;
   const UnwrapResult first = unwrapped(mesh, options);
-  options.known = knownLayout(first);
+  options.reuse.known = knownLayout(first);
   const UnwrapResult again = unwrapped(mesh, options);
   CHECK(again.uv == first.uv);
   for (const UnwrapChart& chart : again.report.charts) CHECK(chart.solver == Solver::Known);
@@ -118,7 +118,7 @@ TEST_CASE("needles in a chart are valid in single precision", "[certificate]") {
     for (unsigned seed = 1; seed <= 10; ++seed) {
       INFO(width << " " << seed);
       UnwrapOptions options;
-      options.roundsForGltf = true;
+      options.rounding = Rounding::Gltf;
       const UnwrapResult result = unwrapped(gridWithNeedle(width, seed), options);
       moved += mentions(result.report, "moved by up to");
       CHECK_FALSE(mentions(result.report, "enlarged"));
@@ -133,7 +133,7 @@ TEST_CASE("tiny charts beside large ones are enlarged, and only they", "[certifi
     parts.push_back(
         transformed(bumpyGrid(3, 3, 0.3, static_cast<unsigned>(i)), 1e-8, {3.0 + i, 0.5 * i, 1}));
   UnwrapOptions options;
-  options.roundsForGltf = true;
+  options.rounding = Rounding::Gltf;
   options.texelDensity = 40;
   const UnwrapResult result = unwrapped(together(parts), options);
   CHECK(mentions(result.report, "tiny charts are enlarged"));

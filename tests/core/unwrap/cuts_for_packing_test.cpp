@@ -343,8 +343,8 @@ TEST_CASE("what the user wants of charts is kept: nothing is cut for packing", "
     CHECK(r.report.atlas.packingCuts == 0);
   }
   UnwrapOptions kept = kAuto;
-  kept.known = knownLayout(unwrapped(mesh, kNever));
-  kept.fixedCharts = {0};
+  kept.reuse.known = knownLayout(unwrapped(mesh, kNever));
+  kept.reuse.fixedCharts = {0};
   CHECK(unwrapped(mesh, kept).report.charts.size() == 1);
 }
 
@@ -355,7 +355,7 @@ TEST_CASE("needles and faces that are far too large end in a valid atlas", "[cut
     mesh.positions[3 * 77 + 1] -= 0.64 * far;
     mesh.positions[3 * 77 + 2] += 0.6 * far;
     UnwrapOptions options = kAuto;
-    options.roundsToSingle = true;
+    options.rounding = Rounding::Single;
     CHECK(unwrapped(mesh, options).report.atlas.texelDensity > 0);
   }
 }

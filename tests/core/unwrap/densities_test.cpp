@@ -58,7 +58,7 @@ std::vector<double> asked(const UnwrapResult& r, const std::vector<double>& ofCh
 UnwrapOptions sameCharts(const UnwrapResult& first, UnwrapOptions options = severalCharts()) {
   options.seams.isAuto = false;
   options.seams.edges = first.seams;
-  options.known = knownLayout(first);
+  options.reuse.known = knownLayout(first);
   options.minUtilization = 0;
   return options;
 }
@@ -142,8 +142,8 @@ TEST_CASE("charts beside those that stay get their own density", "[density]") {
   ofChart[0] = 0.5;
   UnwrapOptions options = sameCharts(first);
   options.faceDensities = asked(first, ofChart);
-  for (std::uint32_t i = 1; i < ofChart.size(); ++i) options.fixedCharts.push_back(i);
-  options.keepsPlaces = false;
+  for (std::uint32_t i = 1; i < ofChart.size(); ++i) options.reuse.fixedCharts.push_back(i);
+  options.reuse.keepsPlaces = false;
   const UnwrapResult second = unwrapped(mesh, options);
   const std::vector<double> before = densities(mesh, first), now = densities(mesh, second);
   for (std::size_t i = 1; i < ofChart.size(); ++i) CHECK(now[i] == Approx(before[i]));

@@ -53,16 +53,16 @@ TEST_CASE("known charts stay bit by bit, whatever the options are then", "[fixed
     others[4].seams.isAuto = false;
     others[4].seams.edges = {{0, 1}};
     for (UnwrapOptions& options : others) {
-      options.known = knownLayout(first);
-      options.fixedCharts = {2, 0};
+      options.reuse.known = knownLayout(first);
+      options.reuse.fixedCharts = {2, 0};
       const UnwrapResult second = unwrapped(mesh, options);
       checkStayed(first, second, {0, 2});
       // And once more, starting from what is already fixed.
       std::vector<std::uint32_t> fixed;
       for (std::uint32_t i = 0; i < second.report.charts.size(); ++i)
         if (second.report.charts[i].fixed) fixed.push_back(i);
-      options.known = knownLayout(second);
-      options.fixedCharts = fixed;
+      options.reuse.known = knownLayout(second);
+      options.reuse.fixedCharts = fixed;
       options.maxStretch = 1.01;
       checkStayed(second, unwrapped(mesh, options), fixed);
     }
@@ -76,9 +76,9 @@ TEST_CASE("charts and faces can be fixed at once", "[fixed]") {
   mesh.texcoords = first.uv;
   mesh.faceTexcoords = first.cornerUv;
   UnwrapOptions options = severalCharts();
-  options.known = knownLayout(first);
-  options.fixedFaces = {first.report.charts[1].firstFace};
-  options.fixedCharts = {0};
+  options.reuse.known = knownLayout(first);
+  options.reuse.fixedFaces = {first.report.charts[1].firstFace};
+  options.reuse.fixedCharts = {0};
   checkStayed(first, unwrapped(mesh, options), {0, 1});
 }
 
@@ -95,8 +95,8 @@ TEST_CASE("polygons and separate triangles can stay as charts", "[fixed]") {
     const UnwrapResult first = unwrapped(m, severalCharts());
     UnwrapOptions options = severalCharts();
     options.maxStretch = 1.5;
-    options.known = knownLayout(first);
-    options.fixedCharts = {0};
+    options.reuse.known = knownLayout(first);
+    options.reuse.fixedCharts = {0};
     checkStayed(first, unwrapped(m, options), {0});
   }
 }
@@ -110,12 +110,12 @@ TEST_CASE("charts that cannot stay are named", "[fixed]") {
     CHECK(s.code == StatusCode::InvalidOption);
     return s.message;
   };
-  options.fixedCharts = {0};
+  options.reuse.fixedCharts = {0};
   CHECK(messageOf().find("the known layout belongs to another mesh") == 0);
-  options.known = knownLayout(first);
-  options.fixedCharts = {0, 77};
+  options.reuse.known = knownLayout(first);
+  options.reuse.fixedCharts = {0, 77};
   CHECK(messageOf() == "chart 77 cannot stay fixed: the known layout has no such chart");
-  options.fixedCharts = {0};
-  options.known.uv.clear();
+  options.reuse.fixedCharts = {0};
+  options.reuse.known.uv.clear();
   CHECK(messageOf() == "the known layout has no uv for the fixed charts");
 }

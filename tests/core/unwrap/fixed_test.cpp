@@ -77,7 +77,7 @@ TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[
   UnwrapOptions options = severalCharts();
   options.seams.isAuto = false;
   options.seams.sharpDegrees = 10;  // would cut everything into pieces
-  options.fixedFaces = {first.report.charts[1].firstFace};
+  options.reuse.fixedFaces = {first.report.charts[1].firstFace};
   const UnwrapResult one = unwrapped(mesh, options);
   checkKept(mesh, one, 1);
   CHECK(complaintOf(one) == "");
@@ -90,8 +90,8 @@ TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[
   CHECK(one.report.charts.size() > first.report.charts.size());
   for (const bool rounds : {false, true}) {
     UnwrapOptions two = severalCharts();
-    two.fixedFaces = {first.report.charts[0].firstFace, first.report.charts[1].firstFace};
-    two.roundsToSingle = rounds;
+    two.reuse.fixedFaces = {first.report.charts[0].firstFace, first.report.charts[1].firstFace};
+    two.rounding = rounds ? Rounding::Single : Rounding::None;
     const UnwrapResult r = unwrapped(mesh, two);
     checkKept(mesh, r, 2);
     CHECK(complaintOf(r) == "");
@@ -126,7 +126,7 @@ TEST_CASE("all of an atlas can be fixed", "[fixed]") {
     const UnwrapResult first = unwrapped(plain, severalCharts());
     const PolygonMesh mesh = withUv(plain, first);
     UnwrapOptions options = severalCharts();
-    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) options.fixedFaces.push_back(f);
+    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) options.reuse.fixedFaces.push_back(f);
     const UnwrapResult again = unwrapped(mesh, options);
     checkKept(mesh, again, first.report.charts.size());
     CHECK(again.seams == first.seams);
@@ -153,7 +153,7 @@ TEST_CASE("an island need not be a disk", "[fixed]") {
       mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
   }
   UnwrapOptions options = severalCharts();
-  options.fixedFaces = {0};
+  options.reuse.fixedFaces = {0};
   for (const bool isStraight : {false, true}) {
     options.straightSeams = isStraight;
     const UnwrapResult r = unwrapped(mesh, options);
@@ -178,7 +178,7 @@ TEST_CASE("islands without a boundary are treated alike whether seams are straig
     }
     mesh.faceTexcoords = mesh.faceVertices;
     UnwrapOptions options;
-    options.fixedFaces = {0};
+    options.reuse.fixedFaces = {0};
     const Result<UnwrapResult> plain = unwrap(mesh, options);
     options.straightSeams = true;
     const Result<UnwrapResult> straight = unwrap(mesh, options);
@@ -195,7 +195,7 @@ TEST_CASE("fixed charts are in tiles of their own where there are several", "[fi
   PolygonMesh mesh = withUv(plain, first);
   for (std::size_t i = 0; i < mesh.texcoords.size(); i += 2) mesh.texcoords[i] += 2;
   UnwrapOptions options = severalCharts();
-  options.fixedFaces = {0};
+  options.reuse.fixedFaces = {0};
   CHECK(unwrap(mesh, options).status.message.find("outside the unit square") != std::string::npos);
   options.udim = true;
   options.texelDensity = 2 * first.report.atlas.texelDensity;
@@ -211,7 +211,7 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
   const UnwrapResult first = unwrapped(plain, severalCharts());
   const PolygonMesh good = withUv(plain, first);
   UnwrapOptions options = severalCharts();
-  options.fixedFaces = {5};
+  options.reuse.fixedFaces = {5};
   const auto message = [&](const PolygonMesh& mesh) {
     const Result<UnwrapResult> result = unwrap(mesh, options);
     CHECK(result.status.code == StatusCode::InvalidOption);
@@ -248,9 +248,9 @@ TEST_CASE("what cannot be fixed is named", "[fixed]") {
         bad.texcoords.push_back(middle + 1e-4 * (at(c, d) - at(3 * stacked, d)));
       }
     }
-  options.fixedFaces = {around, stacked};
+  options.reuse.fixedFaces = {around, stacked};
   CHECK(says(bad, " overlap. "));
-  options.fixedFaces = {500};
+  options.reuse.fixedFaces = {500};
   CHECK(says(good, "face 500 cannot keep its texcoords: the mesh has only 192 faces"));
 }
 
@@ -262,8 +262,8 @@ TEST_CASE("islands that cannot stay are unwrapped, the others stay, and a note n
   REQUIRE(count > 3);
   const PolygonMesh good = withUv(plain, first);
   UnwrapOptions options = severalCharts();
-  for (std::uint32_t f = 0; f < good.faceCount(); ++f) options.fixedFaces.push_back(f);
-  options.keepsValidOnly = true;
+  for (std::uint32_t f = 0; f < good.faceCount(); ++f) options.reuse.fixedFaces.push_back(f);
+  options.reuse.keepsValidOnly = true;
   checkKept(good, unwrapped(good, options), count);
   CHECK(unwrapped(good, options).report.notes.empty());
 
@@ -299,8 +299,8 @@ TEST_CASE("of islands that overlap, those that overlap no larger one stay", "[fi
   const UnwrapResult first = unwrapped(plain, severalCharts());
   const auto count = static_cast<std::uint32_t>(first.report.charts.size());
   UnwrapOptions options = severalCharts();
-  for (std::uint32_t f = 0; f < plain.faceCount(); ++f) options.fixedFaces.push_back(f);
-  options.keepsValidOnly = true;
+  for (std::uint32_t f = 0; f < plain.faceCount(); ++f) options.reuse.fixedFaces.push_back(f);
+  options.reuse.keepsValidOnly = true;
   std::uint32_t seed = 1;
   const auto random = [&] { return (seed = seed * 1664525 + 1013904223) / 4294967296.0; };
   for (int run = 0; run < 20; ++run) {
@@ -341,7 +341,7 @@ TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {
   CHECK(s.message.find("Lower the density") != std::string::npos);
   options.udim = true;
   for (const bool rounds : {false, true}) {
-    options.roundsToSingle = rounds;
+    options.rounding = rounds ? Rounding::Single : Rounding::None;
     r = unwrapped(mesh, options);
     CHECK(r.report.atlas.tiles >= 4);
     CHECK(complaintOf(r) == "");

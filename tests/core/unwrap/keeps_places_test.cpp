@@ -18,8 +18,8 @@ UnwrapOptions again(const UnwrapResult& first) {
   UnwrapOptions options = severalCharts();
   options.seams.isAuto = false;
   options.seams.edges = first.seams;
-  options.known = knownLayout(first);
-  options.keepsPlaces = true;
+  options.reuse.known = knownLayout(first);
+  options.reuse.keepsPlaces = true;
   return options;
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("where nothing is packed, the texel density is measured", "[fixed]") {
   CHECK(unwrapped(mesh, options).report.atlas.texelDensity ==
         Approx(first.report.atlas.texelDensity).epsilon(1e-3));
   for (std::uint32_t i = 0; i < first.report.charts.size(); ++i)
-    moveChart(i, options.known, [](double* uv) {
+    moveChart(i, options.reuse.known, [](double* uv) {
       for (std::size_t d = 0; d < 2; ++d) uv[d] /= 2;
     });
   CHECK(unwrapped(mesh, options).report.atlas.texelDensity ==
@@ -124,7 +124,7 @@ TEST_CASE("charts that stay may leave the square, and the report says which", "[
   const PolygonMesh mesh = torus(24, 16);
   const UnwrapResult first = unwrapped(mesh, severalCharts());
   UnwrapOptions options = again(first);
-  moveChart(1, options.known, [](double* uv) { uv[0] += 1; });
+  moveChart(1, options.reuse.known, [](double* uv) { uv[0] += 1; });
   const Result<UnwrapResult> second = unwrap(mesh, options);
   REQUIRE(second.ok());
   const UnwrapResult& result = second.value;
@@ -148,7 +148,7 @@ TEST_CASE("charts that stay may overlap, and the report says which", "[fixed]") 
   const std::uint32_t other = first.chartOfTriangle[0] == 0 ? 1 : 0;
   UnwrapOptions options = again(first);
   std::optional<std::array<double, 2>> from;
-  moveChart(other, options.known, [&](double* uv) {
+  moveChart(other, options.reuse.known, [&](double* uv) {
     if (!from) from = {uv[0], uv[1]};
     for (std::size_t d = 0; d < 2; ++d) uv[d] = at[d] + (uv[d] - (*from)[d]) / 1024;
   });
@@ -165,7 +165,7 @@ TEST_CASE("a mirrored chart stays, and the report says what is wrong", "[fixed]"
   const PolygonMesh mesh = torus(24, 16);
   const UnwrapResult first = unwrapped(mesh, severalCharts());
   UnwrapOptions options = again(first);
-  moveChart(1, options.known, [](double* uv) { uv[0] = 1 - uv[0]; });
+  moveChart(1, options.reuse.known, [](double* uv) { uv[0] = 1 - uv[0]; });
   const Result<UnwrapResult> second = unwrap(mesh, options);
   REQUIRE(second.ok());
   CHECK_FALSE(second.value.report.valid);
@@ -181,10 +181,10 @@ TEST_CASE("a chart whose shape was changed stays, even if it is folded now", "[f
   const UnwrapResult first = unwrapped(mesh, severalCharts());
   UnwrapOptions options = again(first);
   // A vertex is dragged across its chart, to where another one is.
-  const std::size_t dragged = options.known.triangles.front();
-  const std::uint32_t chart = options.known.chartOfTriangle.front();
-  const std::size_t onto = farthestInChart(options.known, dragged, chart);
-  for (std::vector<double>* uv : {&options.known.uv, &options.known.unpacked})
+  const std::size_t dragged = options.reuse.known.triangles.front();
+  const std::uint32_t chart = options.reuse.known.chartOfTriangle.front();
+  const std::size_t onto = farthestInChart(options.reuse.known, dragged, chart);
+  for (std::vector<double>* uv : {&options.reuse.known.uv, &options.reuse.known.unpacked})
     std::copy_n(&(*uv)[2 * onto], 2, &(*uv)[2 * dragged]);
   const Result<UnwrapResult> run = unwrap(mesh, options);
   REQUIRE(run.ok());
@@ -193,11 +193,12 @@ TEST_CASE("a chart whose shape was changed stays, even if it is folded now", "[f
   for (std::size_t h = 0; h < second.triangles.size(); ++h) {
     const auto& now = second.report.charts[second.chartOfTriangle[h / 3]];
     CHECK(now.fixed);
-    CHECK(now.valid == (options.known.chartOfTriangle[h / 3] != chart));
-    CHECK(uvOf(second, h)[0] == options.known.uv[2 * std::size_t{options.known.triangles[h]}]);
+    CHECK(now.valid == (options.reuse.known.chartOfTriangle[h / 3] != chart));
+    CHECK(uvOf(second, h)[0] ==
+          options.reuse.known.uv[2 * std::size_t{options.reuse.known.triangles[h]}]);
   }
   // Packed again, it is laid out again.
-  options.keepsPlaces = false;
+  options.reuse.keepsPlaces = false;
   CHECK(unwrapped(mesh, options).report.valid);
 }
 
@@ -211,12 +212,12 @@ TEST_CASE("a known layout without usable uv cannot keep places", "[fixed]") {
     return s.message;
   };
   for (const double x : {double{NAN}, double{INFINITY}, -1e300}) {
-    options.known.uv[7] = x;
+    options.reuse.known.uv[7] = x;
     CHECK(
         messageOf() ==
         "charts cannot stay where they are known: the uv of vertex 3 is not a number from -10^6 to "
         "10^6");
   }
-  options.known.uv.clear();
+  options.reuse.known.uv.clear();
   CHECK(messageOf() == "the known layout has no uv, so charts cannot stay there");
 }

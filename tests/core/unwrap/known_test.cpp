@@ -54,13 +54,13 @@ TEST_CASE("what is known is taken over and gives the bytes of solving", "[known]
     const UnwrapResult first = unwrapped(mesh, options);
     REQUIRE(first.report.charts.size() == 8);
     CHECK(known(first) == 0);
-    options.known = knownLayout(first);
+    options.reuse.known = knownLayout(first);
     const UnwrapResult second = unwrapped(mesh, options);
     CHECK(known(second) == 8);
     checkSameLayout(first, second);
-    options.roundsToSingle = true;
-    options.known = knownLayout(unwrapped(mesh, options));
-    CHECK(options.known.unpacked == knownLayout(first).unpacked);
+    options.rounding = Rounding::Single;
+    options.reuse.known = knownLayout(unwrapped(mesh, options));
+    CHECK(options.reuse.known.unpacked == knownLayout(first).unpacked);
   }
 }
 
@@ -73,13 +73,13 @@ TEST_CASE("only charts whose outline changes are solved", "[known]") {
                              std::size_t kept, std::size_t keptBack) {
     UnwrapOptions options = alongSeams(edited);
     const UnwrapResult solved = unwrapped(mesh, options);
-    options.known = knownLayout(before);
+    options.reuse.known = knownLayout(before);
     const UnwrapResult quick = unwrapped(mesh, options);
     CHECK(solved.report.charts.size() == charts);
     CHECK(known(quick) == kept);
     checkSameLayout(solved, quick);
     options.seams.edges = edges;
-    options.known = knownLayout(quick);
+    options.reuse.known = knownLayout(quick);
     const UnwrapResult back = unwrapped(mesh, options);
     CHECK(known(back) == keptBack);
     checkSameLayout(before, back);
@@ -109,7 +109,7 @@ TEST_CASE("with straight seams charts whose seams end elsewhere are solved as we
   UnwrapOptions options = alongSeams(edges);
   options.straightSeams = true;
   const UnwrapResult before = unwrapped(mesh, options);
-  options.known = knownLayout(before);
+  options.reuse.known = knownLayout(before);
   const UnwrapResult again = unwrapped(mesh, options);
   CHECK(known(again) == 8);
   checkSameLayout(before, again);
@@ -124,14 +124,14 @@ TEST_CASE("with straight seams charts whose seams end elsewhere are solved as we
   }
   const auto checkEdit = [&](const std::vector<EdgeVertices>& more, std::size_t kept) {
     UnwrapOptions edit = options;
-    edit.known = {};
+    edit.reuse.known = {};
     edit.seams.edges.insert(edit.seams.edges.end(), more.begin(), more.end());
     const UnwrapResult solved = unwrapped(mesh, edit);
-    edit.known = knownLayout(before);
+    edit.reuse.known = knownLayout(before);
     const UnwrapResult quick = unwrapped(mesh, edit);
     CHECK(known(quick) == kept);
     checkSameLayout(solved, quick);
-    options.known = knownLayout(quick);
+    options.reuse.known = knownLayout(quick);
     const UnwrapResult back = unwrapped(mesh, options);
     CHECK(known(back) == kept);
     checkSameLayout(before, back);
@@ -167,7 +167,7 @@ TEST_CASE("straight seams after other automatic ones are those that solving give
       REQUIRE(fast.ok());
       checkSameLayout(solved.value, fast.value);
       taken += known(fast.value);
-      quick.known = knownLayout(fast.value);
+      quick.reuse.known = knownLayout(fast.value);
     }
   }
   CHECK(taken > 0);
@@ -179,21 +179,21 @@ TEST_CASE("what cannot be taken over is solved", "[known]") {
   const UnwrapResult first = unwrapped(mesh, options);
   const KnownLayout good = knownLayout(first);
   SECTION("other angles are wanted") {
-    options.known = good;
+    options.reuse.known = good;
     options.t = 1;
     CHECK(known(unwrapped(mesh, options)) == 0);
   }
   SECTION("a layout that is not valid") {
-    options.known = good;
-    for (std::size_t i = 0; i < options.known.unpacked.size(); i += 2)
-      options.known.unpacked[i] = -options.known.unpacked[i];
+    options.reuse.known = good;
+    for (std::size_t i = 0; i < options.reuse.known.unpacked.size(); i += 2)
+      options.reuse.known.unpacked[i] = -options.reuse.known.unpacked[i];
     const UnwrapResult again = unwrapped(mesh, options);
     CHECK(known(again) == 0);
     checkSameLayout(first, again);
   }
   SECTION("no numbers") {
-    options.known = good;
-    options.known.unpacked[2 * options.known.triangles[0]] = NAN;
+    options.reuse.known = good;
+    options.reuse.known.unpacked[2 * options.reuse.known.triangles[0]] = NAN;
     CHECK(known(unwrapped(mesh, options)) == 7);
   }
 }
@@ -213,7 +213,7 @@ TEST_CASE("polygons, faces without area and places that occur twice are known, t
     UnwrapOptions options;
     options.minUtilization = 0;  // charts cut by packing are flattened again
     const UnwrapResult first = unwrapped(m, options);
-    options.known = knownLayout(first);
+    options.reuse.known = knownLayout(first);
     const UnwrapResult second = unwrapped(m, options);
     CHECK(known(second) == first.report.charts.size());
     checkSameLayout(first, second);
@@ -224,7 +224,7 @@ TEST_CASE("what is known of another mesh is refused", "[known]") {
   UnwrapOptions options;
   const PolygonMesh mesh = torus(12, 8);
   const auto refused = [&](const KnownLayout& layout) {
-    options.known = layout;
+    options.reuse.known = layout;
     const Status s = unwrap(mesh, options).status;
     return s.code == StatusCode::InvalidOption &&
            s.message.find("the known layout belongs to another mesh") == 0;

@@ -185,9 +185,9 @@ TEST_CASE("pinned and fixed charts are left where they are", "[stack]") {
   UnwrapOptions options = stacking(Stack::Identical);
   const UnwrapResult first = stackedExactly(mesh, options);
   // All charts of the first component stay; the others are stacked beside them.
-  options.known = knownLayout(first);
+  options.reuse.known = knownLayout(first);
   std::set<std::uint32_t> fixed(first.chartOfFace.begin(), first.chartOfFace.begin() + 6);
-  options.fixedCharts.assign(fixed.begin(), fixed.end());
+  options.reuse.fixedCharts.assign(fixed.begin(), fixed.end());
   options.texelDensity = first.report.atlas.texelDensity / 2;
   options.udim = true;
   const UnwrapResult next = stackedExactly(mesh, options);
@@ -199,8 +199,8 @@ TEST_CASE("a stacked layout can be kept in place, mirrored charts too", "[stack]
   UnwrapOptions options = stacking(Stack::Mirrored);
   const UnwrapResult first = stackedExactly(mesh, options);
   REQUIRE(first.report.atlas.stackedMirrored > 0);
-  options.known = knownLayout(first);
-  options.keepsPlaces = true;
+  options.reuse.known = knownLayout(first);
+  options.reuse.keepsPlaces = true;
   options.seams.isAuto = false;
   options.seams.edges = first.seams;
   const UnwrapResult kept = stackedExactly(mesh, options);
@@ -213,9 +213,10 @@ TEST_CASE("a stacked layout can be kept in place, mirrored charts too", "[stack]
   CHECK_FALSE(unwrap(mesh, options).value.report.valid);
   // All charts may be locked.
   options.stack = Stack::Mirrored;
-  for (std::uint32_t c = 0; c < first.report.charts.size(); ++c) options.fixedCharts.push_back(c);
+  for (std::uint32_t c = 0; c < first.report.charts.size(); ++c)
+    options.reuse.fixedCharts.push_back(c);
   CHECK(stackedExactly(mesh, options).uv == first.uv);
-  options.keepsPlaces = false;
+  options.reuse.keepsPlaces = false;
   CHECK(stackedExactly(mesh, options).uv == first.uv);
 }
 
@@ -282,9 +283,9 @@ TEST_CASE("straight seams and rounding keep stacks exact", "[stack]") {
   options.straightSeams = true;
   stackedExactly(mesh, options);
   options.straightSeams = false;
-  options.roundsToSingle = true;
+  options.rounding = Rounding::Single;
   stackedExactly(mesh, options);
-  options.roundsForGltf = true;
+  options.rounding = Rounding::Gltf;
   stackedExactly(mesh, options);
 }
 

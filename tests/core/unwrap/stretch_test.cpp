@@ -98,7 +98,7 @@ TEST_CASE("cutting further does not depend on threads, and known charts give the
   const UnwrapResult two = unwrapped(mesh, options);
   CHECK(one.uv == two.uv);
   CHECK(one.cornerUv == two.cornerUv);
-  options.known = knownLayout(one);
+  options.reuse.known = knownLayout(one);
   const UnwrapResult again = unwrapped(mesh, options);
   CHECK(one.uv == again.uv);
   CHECK(one.report.symmetricDirichlet == again.report.symmetricDirichlet);

@@ -181,7 +181,7 @@ TEST_CASE("islands that are kept are not turned") {
   // Upside down.
   for (double& x : mesh.texcoords) x = 1 - x;
   UnwrapOptions options = sharpSeams(Rotate::Free);
-  options.fixedFaces = {0, 2};
+  options.reuse.fixedFaces = {0, 2};
   const UnwrapResult after = unwrapped(mesh, options);
   for (const std::size_t f : {0, 2})
     for (std::size_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c)

@@ -143,10 +143,10 @@ bool unwrapMesh(const std::uint8_t* bytes, std::size_t size) {
   const std::string wrong =
       stackedComplaint(trianglesOf(mesh, result.value), result.value.chartOfTriangle, report);
   expect(wrong.empty(), "a valid atlas: " + wrong);
-  if (options.roundsForGltf)
+  if (options.rounding == Rounding::Gltf)
     expectValidGltf(mesh, result.value);
   else
-    expectFile(mesh, result.value, options.roundsToSingle ? MeshFormat::Ply : MeshFormat::Obj);
+    expectFile(mesh, result.value, options.rounding == Rounding::Single ? MeshFormat::Ply : MeshFormat::Obj);
   return true;
 }
 
