@@ -62,7 +62,7 @@ export class SeamEditor {
       clicked: (at, modifiers) => this.onClick(at, modifiers),
       doubleClicked: (at, modifiers) => this.onDoubleClick(at, modifiers),
     });
-    view.onTurn(() => {
+    view.orbit.onTurn(() => {
       this.begunOnEdge = null;
       this.aim.refresh();
     });
