@@ -1,4 +1,4 @@
-import type { Texture } from 'three';
+import { OrthographicCamera, type Texture } from 'three';
 import { type Box, boxInFrames } from '../arrange/charts';
 import { type Motion, type Point, STILL } from '../arrange/motion';
 import type { Palette } from '../colors/palette';
@@ -23,15 +23,13 @@ import { UvPlane } from './uv-plane';
 const OUTLINE = 2.25;
 const THIN_OUTLINE = 1.25;
 
-/**
- * The uv layout in the plane. What lies there is drawn by its `renderOrder`, then in the order in which
- * it was made.
- */
+/** The uv layout in the plane. */
 export class LayoutView {
   /** Resolves when pictures can be drawn without waiting for shaders. */
   readonly ready: Promise<void>;
   readonly surface: SurfaceScene;
   readonly plane: UvPlane;
+  private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly material = createLayoutMaterial();
   private readonly sheet = new PictureSheet(this.material);
   private readonly grid = new TexelGrid(this.material);
@@ -50,18 +48,18 @@ export class LayoutView {
   private frames: Float32Array = new Float32Array();
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.plane = new UvPlane(canvas, () => this.surface.invalidate());
     this.surface = new SurfaceScene(
       canvas,
       {
         material: this.material,
         attributes: ['position'],
-        camera: this.plane.camera,
+        camera: this.camera,
         depthTest: false,
         outline: OUTLINE,
       },
       { prepare: () => this.prepare(), resized: (stage) => this.resized(stage) },
     );
+    this.plane = new UvPlane(this.camera, canvas, () => this.surface.invalidate());
     this.frame = new EdgeLines(1.5, false);
     this.resisting = new EdgeLines(2.5, false);
     this.rings = new PointMarks({ ...RING, depthTest: false });

@@ -1,4 +1,4 @@
-import type { Texture } from 'three';
+import { PerspectiveCamera, type Texture } from 'three';
 import type { Palette } from '../colors/palette';
 import { frontOf } from '../drawing/front';
 import { facingOf } from '../mesh/mesh';
@@ -12,14 +12,17 @@ import { type Pixel, Sight } from './sight';
 import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
 import { SurfaceScene } from './surface-scene';
 
+const FIELD_OF_VIEW = 32;
+
 /** The mesh in 3D. */
 export class MeshView {
   /** Resolves when pictures can be drawn without waiting for shaders. */
   readonly ready: Promise<void>;
   readonly surface: SurfaceScene;
   readonly orbit: Orbit;
+  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   private readonly material = createSurfaceMaterial();
-  private readonly seams = new SeamOverlay();
+  private readonly seams: SeamOverlay;
   /** `FRAME` of each shown chart. */
   private frames: Float32Array = new Float32Array();
   private isFlat = false;
@@ -30,13 +33,12 @@ export class MeshView {
     readonly canvas: HTMLCanvasElement,
     reducedMotion: boolean,
   ) {
-    this.orbit = new Orbit(canvas, reducedMotion, () => this.surface.invalidate());
     this.surface = new SurfaceScene(
       canvas,
       {
         material: this.material,
         attributes: ['position', 'normal', 'uv'],
-        camera: this.orbit.camera,
+        camera: this.camera,
         depthTest: true,
         outline: 1.75,
       },
@@ -48,6 +50,8 @@ export class MeshView {
         },
       },
     );
+    this.orbit = new Orbit(this.camera, canvas, reducedMotion, () => this.surface.invalidate());
+    this.seams = new SeamOverlay();
     this.surface.scene.add(this.seams.object);
     this.ready = this.surface.start();
   }
@@ -77,7 +81,7 @@ export class MeshView {
   /** What the camera sees now. */
   get sight(): Sight {
     const { width, height } = this.surface.stage;
-    return new Sight(this.orbit.camera, width, height);
+    return new Sight(this.camera, width, height);
   }
 
   /** `points` has xyz per vertex, in the unit sphere. */

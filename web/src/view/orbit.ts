@@ -1,10 +1,9 @@
-import { PerspectiveCamera, Spherical, Vector3 } from 'three';
+import { type PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Direction } from '../drawing/front';
 import type { FirstView } from '../model/drawing';
 import { fitInView } from './fit-in-view';
 
-const FIELD_OF_VIEW = 32;
 /** Fraction of the view's width or height that a fitted mesh fills. */
 const FILLED = 0.88;
 /** Radians per key press, and zoom factor. */
@@ -21,7 +20,6 @@ interface Look {
 
 /** The point of view of the mesh, turned round it by drag, wheel, pinch and keys. */
 export class Orbit {
-  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   private readonly controls: OrbitControls;
   private first: FirstView = {
     front: [0, 0, 1],
@@ -34,6 +32,7 @@ export class Orbit {
   private isFitted = true;
 
   constructor(
+    private readonly camera: PerspectiveCamera,
     canvas: HTMLCanvasElement,
     reducedMotion: boolean,
     private readonly moved: () => void,

@@ -39,7 +39,11 @@ export interface SurfaceEvents {
   resized(stage: Stage): void;
 }
 
-/** What both views show on their canvas: triangles, the boundary edges of charts, and marked vertices. */
+/**
+ * What both views show on their canvas: triangles, the boundary edges of charts, and marked vertices.
+ * Objects with the same `renderOrder` are drawn in the order in which they were made, so what lies above
+ * these is made later.
+ */
 export class SurfaceScene {
   readonly scene = new Scene();
   readonly stage: Stage;

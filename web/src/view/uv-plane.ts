@@ -1,4 +1,4 @@
-import { OrthographicCamera } from 'three';
+import type { OrthographicCamera } from 'three';
 import { type Box, middleOf } from '../arrange/charts';
 import { inPlane, type Motion, type Point } from '../arrange/motion';
 import type { LayoutDrawing } from '../model/drawing';
@@ -11,7 +11,6 @@ type Layout = Pick<LayoutDrawing, 'size' | 'tiles' | 'middle' | 'unit'>;
 
 /** The part of the layout's plane that a canvas shows, and where its points appear. */
 export class UvPlane {
-  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);
   private readonly panZoom: PanZoom;
   private readonly room: FitRoom;
   /** Of the canvas, in css pixels. */
@@ -25,6 +24,7 @@ export class UvPlane {
 
   /** `changed` is called when another part is shown. */
   constructor(
+    private readonly camera: OrthographicCamera,
     canvas: HTMLCanvasElement,
     private readonly changed: () => void,
   ) {
