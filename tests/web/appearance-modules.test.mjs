@@ -215,7 +215,7 @@ test('images share their memory', async () => {
 });
 
 test('missing files are listed in a sentence', async () => {
-  const { listed } = await load('base/format');
+  const { listed } = await load('words/format');
   const { fileNamed, remarksOn } = await load('files/missing-files');
   assert.equal(listed(['a', 'b', 'c', 'd']), 'a, b, c and d');
   assert.equal(listed(['a', 'b', 'c', 'd', 'e']), 'a, b, c and 2 more');

@@ -55,7 +55,7 @@ test('crossings are found where they are, and only there', async () => {
 });
 
 test('numbers keep three digits, a bounded length, and commas', async () => {
-  const { measure, brief, distortion, duration, bound } = await load('base/format');
+  const { measure, brief, distortion, duration, bound } = await load('words/format');
   assert.equal(distortion(3.77e-31), '0');
   assert.equal(distortion(0.0025234, brief), '0.0025');
   assert.equal(measure(0.0025234), '0.00252');

@@ -4,8 +4,18 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CUBE } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
-import { metrics, openPage, settled, textOf } from './page.mjs';
-import { clickAt, drawn, edited, hint, pixelOf, point, pointAtLoop, SMALL } from './seam-page.mjs';
+import { openPage, settled, textOf } from './page.mjs';
+import {
+  charts,
+  clickAt,
+  drawn,
+  edited,
+  hint,
+  pixelOf,
+  point,
+  pointAtLoop,
+  SMALL,
+} from './seam-page.mjs';
 
 /** n x n squares in the plane of the screen. */
 function quads(n) {
@@ -23,7 +33,6 @@ function quads(n) {
 const N = 5;
 const openQuads = (t, options) =>
   openPage(t, { ...SMALL, ...options, open: ['quads.obj', quads(N)] });
-const charts = async (page) => Number((await metrics(page)).Charts);
 const history = (page) => page.locator('#history').evaluate((list) => list.textContent);
 
 /** Inside the square in the middle, and in one of its neighbours. */

@@ -1,10 +1,21 @@
 // Aiming at the mesh and its seams on the page.
 
-import { textOf } from './page.mjs';
+import assert from 'node:assert/strict';
+import { grid } from '../support/small-meshes.mjs';
+import { metrics, openPage, textOf } from './page.mjs';
 
 export const CANVAS = '#mesh-canvas';
 /** A small view is drawn quickly. */
 export const SMALL = { viewport: { width: 1040, height: 620 } };
+
+/** n x n squares in the plane of the screen, each cut in two. */
+export const flatGrid = (n) => grid(n).replace(/^(v \S+ \S+) \S+$/gm, '$1 0');
+
+/** That grid, unwrapped. */
+export const openGrid = (t, n, options = SMALL) =>
+  openPage(t, { ...options, open: ['grid.obj', flatGrid(n)] });
+
+export const charts = async (page) => Number((await metrics(page)).Charts);
 
 const twoFrames = () =>
   new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
@@ -83,4 +94,12 @@ export async function pointAtLoop(page, [a, b], [c, d], steps = 40) {
     if (/Double-(click|tap)/.test(text)) return { place, text };
   }
   throw new Error('There is no edge between these places.');
+}
+
+/** Moves the pointer to a seam between two vertices that were seen near these places. */
+export async function pointAtSeam(page, [a, b], [c, d]) {
+  const [x, y] = [(a + c) / 2, (b + d) / 2];
+  for (const off of [0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5])
+    if (/^Seam/.test(await point(page, x, y + off / 60))) return;
+  assert.fail('there is no seam near');
 }

@@ -3,13 +3,12 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { grid } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
 import { metrics, openPage, pathOf, settled, textOf } from './page.mjs';
-import { CANVAS, drawn, edited, hint, SMALL } from './seam-page.mjs';
+import { CANVAS, charts, drawn, edited, flatGrid, hint, SMALL } from './seam-page.mjs';
 
 const N = 6;
-const GRID = ['grid.obj', grid(N).replace(/^(v \S+ \S+) \S+$/gm, '$1 0')];
+const GRID = ['grid.obj', flatGrid(N)];
 async function openGrid(t, options) {
   const page = await openPage(t, { ...SMALL, ...options, open: GRID });
   await ready(page);
@@ -31,7 +30,6 @@ async function ready(page) {
   await page.dispatchEvent(CANVAS, 'pointerleave');
 }
 
-const charts = async (page) => Number((await metrics(page)).Charts);
 const history = (page) => page.locator('#history').evaluate((list) => list.textContent);
 const says = (page) => textOf(page, '#run-text');
 

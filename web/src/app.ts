@@ -1,8 +1,6 @@
 import type { Abflat } from 'abflat';
 import { hideAlert, showAlert } from './base/alert';
 import { element } from './base/dom';
-import { BADGES, CHANGES, LAYING_OUT, MOVING, RUN } from './base/english';
-import { duration } from './base/format';
 import { Lost } from './base/lost';
 import { bindShortcuts } from './base/shortcuts';
 import { bindTheme } from './base/theme';
@@ -40,6 +38,10 @@ import type { Views } from './view/views';
 import { LastVisit } from './visit/last-visit';
 import { PageHistory } from './visit/page-history';
 import { Unsaved } from './visit/unsaved';
+import { duration } from './words/format';
+import { BADGES } from './words/result';
+import { CHANGES, LAYING_OUT, RUN } from './words/run';
+import { MOVING } from './words/selection';
 import { Workshop } from './workshop/workshop';
 
 /** Connects the session with what is on the page. */

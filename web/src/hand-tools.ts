@@ -1,12 +1,12 @@
 import type { ChartMesh } from './arrange/chart-mesh';
 import { showAlert } from './base/alert';
-import { MOVING } from './base/english';
 import type { LayoutControls } from './layout-controls';
 import type { Outcome } from './model/model';
 import type { Session } from './session/session';
 import { Arranging, type ArrangingEvents } from './tools/arranging';
 import { BoundPainting } from './tools/bound-painting';
 import type { Views } from './view/views';
+import { MOVING } from './words/selection';
 import type { Workshop } from './workshop/workshop';
 
 export interface HandEvents extends Pick<ArrangingEvents, 'isFree' | 'selected' | 'say'> {

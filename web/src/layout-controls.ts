@@ -1,6 +1,5 @@
 import type { VertexBound } from 'abflat';
 import { element } from './base/dom';
-import { CHANGES } from './base/english';
 import { AtlasControl } from './controls/atlas-control';
 import { BalanceControl } from './controls/balance-control';
 import { BoundControl } from './controls/bound-control';
@@ -16,6 +15,7 @@ import {
   type UnwrapSettings,
 } from './model/settings';
 import type { Editable, SeamPanel } from './seams/seam-panel';
+import { CHANGES } from './words/run';
 
 export interface ControlEvents {
   /** The user wants something else; `what`, if the settings do not say so. */

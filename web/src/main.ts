@@ -2,11 +2,11 @@ import './css/style.css';
 import { type Abflat, createAbflat } from 'abflat';
 import { App } from './app';
 import { create, element } from './base/dom';
-import { SHOWN } from './base/english';
 import { keepOffline } from './base/offline';
 import { startOnce } from './base/start-once';
 import { NoWebGl } from './view/stage';
 import { Views } from './view/views';
+import { SHOWN } from './words/view';
 
 /** Without WebGL, numbers and export still work. */
 function createViews(): Views | null {

@@ -1,6 +1,5 @@
 import type { Abflat } from 'abflat';
 import { element } from './base/dom';
-import { MESH_TABS, SHOWN } from './base/english';
 import { loadPart } from './base/load-part';
 import { Notice } from './controls/notice';
 import { Welcome } from './help/welcome';
@@ -13,6 +12,8 @@ import { facesText } from './session/words';
 import { ShownImage, type ShownImageEvents } from './shown/shown-image';
 import { ShownLook } from './shown/shown-look';
 import type { Views } from './view/views';
+import { MESH_TABS } from './words/opening';
+import { SHOWN } from './words/view';
 import type { Workshop } from './workshop/workshop';
 
 export interface MeshesEvents extends Omit<OpenEvents, 'joined' | 'images'>, ShownImageEvents {

@@ -1,6 +1,5 @@
 import type { Comparison, MethodResult } from 'abflat';
 import { element } from './base/dom';
-import { SHOWN } from './base/english';
 import { ChartsTab, type ChartsTabEvents } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
 import { Details } from './details/details';
@@ -20,6 +19,7 @@ import { layoutInfo } from './session/words';
 import { ShownMethod } from './shown/shown-method';
 import { ownerOf, StaleMark } from './shown/stale-mark';
 import type { Views } from './view/views';
+import { SHOWN } from './words/view';
 import type { Workshop } from './workshop/workshop';
 
 export interface ResultEvents

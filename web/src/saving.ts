@@ -1,5 +1,4 @@
 import { hideAlert, showAlert } from './base/alert';
-import { SAVING } from './base/english';
 import { loadPart } from './base/load-part';
 import { TexcoordChoice } from './controls/texcoord-choice';
 import { ExportControl } from './export/export-control';
@@ -13,6 +12,7 @@ import { titleOf } from './session/titles';
 import { settingsText } from './session/words';
 import { ownerOf } from './shown/stale-mark';
 import type { Views } from './view/views';
+import { SAVING } from './words/export';
 import type { Workshop } from './workshop/workshop';
 
 export interface SavingEvents {

@@ -1,4 +1,4 @@
-import { MOVING } from '../base/english';
+import { MOVING } from '../words/selection';
 import { type Motion, type Point, shifted, turned } from './motion';
 
 export type GestureKind = 'move' | 'turn' | 'scale';

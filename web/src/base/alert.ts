@@ -1,5 +1,5 @@
+import { ALERT } from '../words/base';
 import { create, element } from './dom';
-import { ALERT } from './english';
 import { messageHidden, messageShown } from './messages';
 
 const box = element('alert', HTMLElement);

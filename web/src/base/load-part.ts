@@ -1,4 +1,4 @@
-import { sentence } from './format';
+import { sentence } from '../words/format';
 import { Lost, NOT_LOADED, notLoaded } from './lost';
 
 /** A part of the page that is not part of its first load. */

@@ -1,5 +1,5 @@
 import { AbflatError, type LostPart } from 'abflat';
-import { LOST } from './english';
+import { LOST } from '../words/base';
 
 /**
  * A part of the page could not be loaded or has stopped, so trying again may help. `detail`: what

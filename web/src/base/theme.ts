@@ -1,4 +1,4 @@
-import { THEME } from './english';
+import { THEME } from '../words/base';
 import { remember, remembered } from './remember';
 
 /** theme.js, beside index.html, also reads it, to set the theme before the first paint. */

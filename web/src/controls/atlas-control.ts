@@ -1,7 +1,7 @@
 import { type MeshSummary, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
 import { create, element } from '../base/dom';
-import { STRETCH_LIMIT } from '../base/english';
 import { RESOLUTIONS, type UnwrapSettings } from '../model/settings';
+import { STRETCH_LIMIT } from '../words/controls';
 import { BalanceControl } from './balance-control';
 import { MoreControl } from './more-control';
 import { NumberField } from './number-field';

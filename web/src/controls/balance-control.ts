@@ -1,7 +1,7 @@
 import { FLATTEN_DEFAULTS, UNWRAP_DEFAULTS } from 'abflat';
 import { element } from '../base/dom';
-import { BALANCE } from '../base/english';
 import type { Mode } from '../model/settings';
+import { BALANCE } from '../words/controls';
 
 export const BALANCE_STEP = 0.05;
 const DEFAULTS = { flatten: FLATTEN_DEFAULTS.balance, unwrap: UNWRAP_DEFAULTS.balance };

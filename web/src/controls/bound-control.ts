@@ -1,7 +1,7 @@
 import { type ChartReport, FLATTEN_DEFAULTS } from 'abflat';
 import { create, element } from '../base/dom';
-import { BOUND, NUMBERS } from '../base/english';
-import { type Bound, bound } from '../base/format';
+import { BOUND, NUMBERS } from '../words/controls';
+import { type Bound, bound } from '../words/format';
 
 export const LEAST = 0.9;
 export const MOST = 2;

@@ -1,8 +1,8 @@
 import type { MeshSummary, StatusName } from 'abflat';
 import { element } from '../base/dom';
-import { DISK_NEEDS, MODE_HINTS, NO_DISK } from '../base/english';
-import { sentence } from '../base/format';
 import type { Mode } from '../model/settings';
+import { DISK_NEEDS, MODE_HINTS, NO_DISK } from '../words/controls';
+import { sentence } from '../words/format';
 
 const MODES: Mode[] = ['flatten', 'unwrap'];
 

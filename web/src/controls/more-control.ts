@@ -1,7 +1,5 @@
 import { UNWRAP_OPTIONS } from 'abflat';
 import { create, element } from '../base/dom';
-import { OPTIONS } from '../base/english';
-import { sentence } from '../base/format';
 import {
   canHaveTiles,
   changedOptions,
@@ -12,6 +10,8 @@ import {
   type MoreOptions,
   usedOptions,
 } from '../model/more-options';
+import { OPTIONS } from '../words/controls';
+import { sentence } from '../words/format';
 import { NumberField } from './number-field';
 
 /**

@@ -1,7 +1,7 @@
 import { create, element } from '../base/dom';
-import { OPENED_NOTICE } from '../base/english';
 import { messageHidden, messageShown } from '../base/messages';
 import type { FileSource } from '../model/model';
+import { OPENED_NOTICE } from '../words/opening';
 
 /** What may be done with meshes that were chosen at once. */
 export interface TogetherEvents {

@@ -1,4 +1,4 @@
-import { NUMBERS } from '../base/english';
+import { NUMBERS } from '../words/controls';
 
 /** The values that an option of abflat allows. */
 export interface NumberRule {

@@ -1,6 +1,6 @@
 import { element } from '../base/dom';
-import { UV_SETS } from '../base/english';
 import type { FileSource, Opened } from '../model/model';
+import { UV_SETS } from '../words/opening';
 
 /** Which texcoord set of a glTF seams and kept islands refer to; only shown where it has several. */
 export class ReadTexcoord {

@@ -1,6 +1,6 @@
 import { element } from '../base/dom';
-import { SOLVER_PROGRESS, STAGES } from '../base/english';
 import type { AnyProgress } from '../model/model';
+import { SOLVER_PROGRESS, STAGES } from '../words/run';
 
 /** In milliseconds: showing the progress of faster runs would only flicker. */
 const QUIET = 120;

@@ -1,5 +1,5 @@
 import { element, isTyping } from '../base/dom';
-import { STEP_BUTTONS } from '../base/english';
+import { STEP_BUTTONS } from '../words/run';
 
 export interface StepButtonEvents {
   undo(): void;

@@ -1,6 +1,6 @@
 import { element } from '../base/dom';
-import { UV_SETS } from '../base/english';
 import type { Outcome } from '../model/model';
+import { UV_SETS } from '../words/opening';
 
 /** Which texcoord set of a glTF gets the new coordinates; only shown where it has some, or textures. */
 export class TexcoordChoice {

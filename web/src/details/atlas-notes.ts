@@ -1,7 +1,7 @@
 import type { RepairReport, UnwrapReport } from 'abflat';
-import { ATLAS_NOTES } from '../base/english';
-import { ended, sentence } from '../base/format';
 import type { Unwrapped } from '../model/model';
+import { ended, sentence } from '../words/format';
+import { ATLAS_NOTES } from '../words/result';
 
 /** The most places to name before the list gets too long. */
 const NAMED = 3;

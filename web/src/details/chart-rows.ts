@@ -1,6 +1,6 @@
 import type { UnwrapChart, UnwrapReport } from 'abflat';
-import { CHART_COLUMNS } from '../base/english';
-import { brief, count, distortion, measure } from '../base/format';
+import { CHART_COLUMNS } from '../words/charts';
+import { brief, count, distortion, measure } from '../words/format';
 
 /** A chart as a row of a table. */
 export interface ChartRow {

@@ -1,9 +1,10 @@
 import type { UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { CHART_LIST, LOCKS, VALIDITY } from '../base/english';
-import { count } from '../base/format';
 import type { Stack } from '../model/stacks';
 import { svg } from '../plot/svg';
+import { CHART_LIST, LOCKS } from '../words/charts';
+import { VALIDITY } from '../words/details';
+import { count } from '../words/format';
 import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './chart-rows';
 
 /** Nobody reads more rows, and they would be slow. */

@@ -1,8 +1,8 @@
 import type { UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { CHART_LIST, LOCKS } from '../base/english';
 import type { Unwrapped } from '../model/model';
 import type { Views } from '../view/views';
+import { CHART_LIST, LOCKS } from '../words/charts';
 import { atlasNotes } from './atlas-notes';
 import { ChartTable } from './chart-table';
 import type { Locks } from './locks';

@@ -1,8 +1,8 @@
 import type { NewtonStep } from 'abflat';
-import { CONVERGENCE } from '../base/english';
-import { count, measure } from '../base/format';
 import type { ChartSpec, Column, Series } from '../plot/chart-spec';
 import { fixedScale, linearScale, logScale, type Scale } from '../plot/scale';
+import { count, measure } from '../words/format';
+import { CONVERGENCE } from '../words/plots';
 
 /** Residuals by step, on a logarithmic scale as both go to 0. */
 export function residualChart(history: NewtonStep[]): ChartSpec {

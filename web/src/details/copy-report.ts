@@ -1,7 +1,7 @@
 import { hideAlert, showAlert } from '../base/alert';
 import { element } from '../base/dom';
-import { REPORT } from '../base/english';
 import type { Outcome } from '../model/model';
+import { REPORT } from '../words/details';
 
 /** The button that copies all numbers of a result. */
 export class CopyReport {

@@ -1,7 +1,7 @@
 import type { MethodResult } from 'abflat';
 import { create } from '../base/dom';
-import { METHOD_COLUMNS, METHODS, VALIDITY } from '../base/english';
-import { brief, count, distortion, duration, sentence } from '../base/format';
+import { METHOD_COLUMNS, METHODS, VALIDITY } from '../words/details';
+import { brief, count, distortion, duration, sentence } from '../words/format';
 
 interface ColumnOf {
   name: string;

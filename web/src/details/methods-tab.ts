@@ -1,8 +1,8 @@
 import type { CompareProgress, Comparison, MethodResult } from 'abflat';
 import { element } from '../base/dom';
-import { METHODS, TAB_JOBS } from '../base/english';
 import { loadPart } from '../base/load-part';
 import { Job } from '../session/job';
+import { METHODS, TAB_JOBS } from '../words/details';
 
 export const methodTables = () => loadPart(import('./method-table'));
 

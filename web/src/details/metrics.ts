@@ -1,12 +1,12 @@
 import type { Report, UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { ATLAS_METRICS, BADGES, DISK_METRICS, METRICS, REMEDIES } from '../base/english';
-import { count, distortion, duration, measure } from '../base/format';
 import type { ChartAreas } from '../mesh/chart-areas';
 import type { FlatDrawing } from '../model/drawing';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Outcome } from '../model/model';
+import { count, distortion, duration, measure } from '../words/format';
+import { ATLAS_METRICS, BADGES, DISK_METRICS, METRICS, REMEDIES } from '../words/result';
 import { atlasNotes } from './atlas-notes';
 import { notes } from './notes';
 import { type Remedy, type Verdict, verdictOf } from './verdict';

@@ -1,6 +1,6 @@
 import type { ChartReport, DelaunayReport } from 'abflat';
-import { DISK_NOTES } from '../base/english';
-import { ended, sentence } from '../base/format';
+import { ended, sentence } from '../words/format';
+import { DISK_NOTES } from '../words/result';
 
 /**
  * What is worth knowing about a result beyond its numbers, one sentence each: why it is not valid,

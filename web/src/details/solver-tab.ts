@@ -1,6 +1,6 @@
 import type { ChartReport } from 'abflat';
 import { create, element } from '../base/dom';
-import { SOLVER, SOLVERS } from '../base/english';
+import { SOLVER, SOLVERS } from '../words/details';
 import { LateChart } from './late-chart';
 import { notes } from './notes';
 

@@ -1,8 +1,9 @@
 import type { ChartReport } from 'abflat';
-import { SWEEP_CHART, VALIDITY } from '../base/english';
-import { type Bound, bound, measure } from '../base/format';
 import type { ChartSpec, Column, Mark, Series } from '../plot/chart-spec';
 import { fixedScale, linearScale } from '../plot/scale';
+import { VALIDITY } from '../words/details';
+import { type Bound, bound, measure } from '../words/format';
+import { SWEEP_CHART } from '../words/plots';
 
 /** The values of t to try, close together where distortion changes fast. */
 export const SWEEP_T: Bound[] = ['auto', 2, 1.8, 1.6, 1.4, 1.2, 1.1, 1.05, 1, 0.98];

@@ -1,9 +1,9 @@
 import type { Report } from 'abflat';
 import { element } from '../base/dom';
-import { SWEEP, TAB_JOBS } from '../base/english';
-import type { Bound } from '../base/format';
 import type { FlattenSettings } from '../model/settings';
 import { Job } from '../session/job';
+import { SWEEP, TAB_JOBS } from '../words/details';
+import type { Bound } from '../words/format';
 import { LateChart, plots } from './late-chart';
 import type { SweepPoint } from './sweep-chart';
 

@@ -1,11 +1,11 @@
 import type { Report, UnwrapReport } from 'abflat';
-import { BADGES, VERDICT } from '../base/english';
-import { sentence } from '../base/format';
 import type { ChartAreas } from '../mesh/chart-areas';
 import { isOutside, isOverlapping } from '../model/misplaced';
 import type { Outcome, Unwrapped } from '../model/model';
 import type { UnwrapSettings } from '../model/settings';
 import { stackedCharts } from '../model/stacks';
+import { sentence } from '../words/format';
+import { BADGES, VERDICT } from '../words/result';
 
 /** What would help: more seams, seams at all, or packing all charts anew. */
 export type Remedy = 'cut' | 'unwrap' | 'pack';

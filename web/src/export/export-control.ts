@@ -1,7 +1,7 @@
 import { element } from '../base/dom';
-import { EXPORT } from '../base/english';
 import { MenuButton } from '../controls/menu-button';
 import { type ExportFormat, exportFormat, type Source } from '../model/model';
+import { EXPORT } from '../words/export';
 
 export interface ExportEvents {
   export(): void;

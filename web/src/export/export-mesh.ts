@@ -1,7 +1,7 @@
 import { download } from '../base/download';
-import { EXPORT, SAVED } from '../base/english';
 import { type ExportFormat, exportFormat, type Outcome } from '../model/model';
 import type { Written } from '../session/write-again';
+import { EXPORT, SAVED } from '../words/export';
 import type { Workshop } from '../workshop/workshop';
 
 /** What is to be written. */

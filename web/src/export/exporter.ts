@@ -1,8 +1,8 @@
-import { EXPORT } from '../base/english';
 import { loadPart } from '../base/load-part';
 import { Job } from '../session/job';
 import type { Session } from '../session/session';
 import { writeAgain } from '../session/write-again';
+import { EXPORT } from '../words/export';
 import type { Workshop } from '../workshop/workshop';
 import type { ExportRequest } from './export-mesh';
 

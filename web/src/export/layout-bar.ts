@@ -1,12 +1,12 @@
 import { element } from '../base/dom';
 import { download } from '../base/download';
-import { SAVED } from '../base/english';
 import { CHART_COLORS } from '../colors/chart-colors';
 import { NumberField } from '../controls/number-field';
 import { pictureSize } from '../files/picture-size';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { Unwrapped } from '../model/model';
 import type { Mode } from '../model/settings';
+import { SAVED } from '../words/export';
 import type { Workshop } from '../workshop/workshop';
 
 export interface LayoutBarEvents {

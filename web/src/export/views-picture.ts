@@ -1,6 +1,6 @@
 import { download } from '../base/download';
-import { SAVED, VIEWS_PICTURE } from '../base/english';
 import type { Views } from '../view/views';
+import { SAVED, VIEWS_PICTURE } from '../words/export';
 import { drawLegend, drawTiles, type Place } from './legend-picture';
 
 /** Saves both views side by side as they are seen, as PNG. Returns what was done, for people. */

@@ -1,7 +1,7 @@
 // Reads documents with compressed triangles as if they were uncompressed.
 
 import type { Accessor, Document, JSONDocument } from '@gltf-transform/core';
-import { GLTF } from '../base/english';
+import { GLTF } from '../words/gltf';
 import { type Compression, loadDecoders } from './decoders';
 import { gltfIo } from './gltf-source';
 import { checkMeshopt, NEWER, OLDER, withOlderName } from './meshopt-views';

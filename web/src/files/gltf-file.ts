@@ -2,8 +2,8 @@
 
 import type { Document, Primitive } from '@gltf-transform/core';
 import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords } from 'abflat/gltf';
-import { GLTF } from '../base/english';
 import type { ChosenGltf, GltfFile, GltfFiles, LayoutArrays } from '../model/model';
+import { GLTF } from '../words/gltf';
 import { compressionsOf, decompressed } from './compression';
 import { gltfIo, openGltf } from './gltf-source';
 

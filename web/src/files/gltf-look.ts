@@ -7,10 +7,10 @@ import type {
   TextureInfo,
 } from '@gltf-transform/core';
 import { type DocumentPart, documentMesh } from 'abflat/gltf';
-import { LOOK_FILES } from '../base/english';
 import { byteOf, srgbByte } from '../colors/srgb';
 import { BLENDED, type MaterialLook, OPAQUE, Wrap } from '../model/appearance';
 import type { GltfFiles } from '../model/model';
+import { LOOK_FILES } from '../words/looks';
 import { CornerWriter, type Tint, tintOf, WHITE } from './corner-looks';
 import { gltfIo, openGltf } from './gltf-source';
 import { nameOf } from './missing-files';

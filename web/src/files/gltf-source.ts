@@ -2,7 +2,8 @@
 
 import { type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
-import { GLTF, READING } from '../base/english';
+import { GLTF } from '../words/gltf';
+import { READING } from '../words/opening';
 import { NEWER } from './meshopt-views';
 
 const KNOWN = new Set<string>([...ALL_EXTENSIONS.map((each) => each.EXTENSION_NAME), NEWER]);

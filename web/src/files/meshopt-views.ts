@@ -1,7 +1,7 @@
 // What a document says about buffers that meshopt has compressed.
 
 import type { JSONDocument } from '@gltf-transform/core';
-import { GLTF } from '../base/english';
+import { GLTF } from '../words/gltf';
 
 export const OLDER = 'EXT_meshopt_compression';
 export const NEWER = 'KHR_meshopt_compression';

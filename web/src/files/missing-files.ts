@@ -1,4 +1,4 @@
-import { LOOK_FILES } from '../base/english';
+import { LOOK_FILES } from '../words/looks';
 
 /** Sentences about the files that `mesh` names: those that are not there, and images that cannot be decoded. */
 export function remarksOn(mesh: string, missing: string[], undecoded: string[]): string[] {

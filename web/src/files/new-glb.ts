@@ -1,6 +1,6 @@
 import { Document } from '@gltf-transform/core';
-import { GLTF } from '../base/english';
 import type { LayoutArrays } from '../model/model';
+import { GLTF } from '../words/gltf';
 import { gltfIo } from './gltf-source';
 import { originOf, relativeTo } from './origin';
 

@@ -1,4 +1,4 @@
-import { OWN_IMAGE } from '../base/english';
+import { OWN_IMAGE } from '../words/looks';
 
 export interface OwnImage {
   image: ImageBitmap;

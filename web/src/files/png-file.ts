@@ -1,5 +1,5 @@
-import { ATLAS_PICTURE } from '../base/english';
 import { triangleAreas } from '../mesh/mesh';
+import { ATLAS_PICTURE } from '../words/export';
 import { type ChartLines, chartLines } from './chart-lines';
 import { HEAT_STEPS, heatColor, heatSteps } from './heat';
 import { pictureSize } from './picture-size';

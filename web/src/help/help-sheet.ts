@@ -1,5 +1,5 @@
 import { create, element } from '../base/dom';
-import { KEY_NAMES } from '../base/english';
+import { KEY_NAMES } from '../words/help';
 import { CONTROLS, type Control, type ControlGroup } from './keys';
 
 /** The sheet with all keys. */

@@ -1,6 +1,6 @@
 // Every key and gesture of the page, as the help shows them.
 
-import { GESTURES, HELP } from '../base/english';
+import { GESTURES, HELP } from '../words/help';
 
 /** Keys as events name them, with Ctrl+ and Shift+ in front of them. */
 export interface Control {

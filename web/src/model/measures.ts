@@ -1,6 +1,6 @@
 // What the heat maps show, and where on the colour ramp a value lies.
 
-import { HEAT_MAPS } from '../base/english';
+import { HEAT_MAPS } from '../words/view';
 
 /** In the order of the numbers in `TriangleMarks.heat`. */
 export const MEASURES = ['angle', 'area', 'stretch'] as const;

@@ -1,5 +1,5 @@
 import { UNWRAP_DEFAULTS, type UnwrapOptionValues } from 'abflat';
-import { OPTION_LABELS, OPTIONS } from '../base/english';
+import { OPTION_LABELS, OPTIONS } from '../words/controls';
 
 /** Less common options of an atlas, in the order in which they are shown. */
 export const MORE = [

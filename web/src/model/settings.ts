@@ -1,5 +1,5 @@
 import type { KnownLayout, UnwrapResult, VertexBound } from 'abflat';
-import type { Bound } from '../base/format';
+import type { Bound } from '../words/format';
 import type { FaceDensities } from './face-densities';
 import type { MoreOptions } from './more-options';
 

@@ -1,6 +1,6 @@
 // Where a mesh on the web is.
 
-import { ADDRESSES } from '../base/english';
+import { ADDRESSES } from '../words/web';
 
 export interface Address {
   url: URL;

@@ -1,7 +1,7 @@
 // Finds the mesh among files that were chosen or dropped together.
 
-import { CHOSEN_FILES } from '../base/english';
 import type { FileSource } from '../model/model';
+import { CHOSEN_FILES } from '../words/opening';
 
 const MESH = /\.(obj|ply|stl|off|gltf|glb)$/i;
 /** What may come with a mesh. */

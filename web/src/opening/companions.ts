@@ -1,6 +1,6 @@
 // Which other files a mesh on the web consists of.
 
-import { FETCHING } from '../base/english';
+import { FETCHING } from '../words/web';
 import { decoded } from './address';
 
 /** Nobody needs more for one mesh. */

@@ -1,4 +1,4 @@
-import { CHOSEN_FILES } from '../base/english';
+import { CHOSEN_FILES } from '../words/opening';
 
 /** Nobody needs more for a mesh and its textures: it would be a whole disk. */
 const MOST_FILES = 1000;

@@ -1,4 +1,4 @@
-import { FETCH_FAILED } from '../base/english';
+import { FETCH_FAILED } from '../words/web';
 import { nameOf } from './address';
 
 /** What goes on while files are fetched. */

@@ -1,5 +1,5 @@
-import { FETCHING } from '../base/english';
 import { loadPart, reasonOf } from '../base/load-part';
+import { FETCHING } from '../words/web';
 import { type Address, addressOf } from './address';
 import type { Watch } from './fetch-file';
 import type { Gathering } from './gathering';

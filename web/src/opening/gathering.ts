@@ -1,6 +1,6 @@
-import { GATHERING } from '../base/english';
 import { reasonOf } from '../base/load-part';
 import { Job } from '../session/job';
+import { GATHERING } from '../words/opening';
 
 export interface GatherEvents {
   /** Files are being gathered: how much of them is there, from 0 to 1, and what to say. */

@@ -1,4 +1,4 @@
-import { CHOSEN_FILES } from '../base/english';
+import { CHOSEN_FILES } from '../words/opening';
 
 /** What browsers have that open files with installed pages. */
 interface LaunchQueue {

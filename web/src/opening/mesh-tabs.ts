@@ -1,7 +1,7 @@
 import { create, element } from '../base/dom';
-import { MESH_TABS } from '../base/english';
 import type { Source } from '../model/model';
 import { titleOf } from '../session/titles';
+import { MESH_TABS } from '../words/opening';
 
 export interface MeshTabEvents {
   open(source: Source): void;

@@ -1,6 +1,6 @@
 import { element, isTyping } from '../base/dom';
-import { JOINING } from '../base/english';
 import type { FileSource, Source } from '../model/model';
+import { JOINING } from '../words/opening';
 import { placeOf } from './address';
 import { areImages, noMesh, sourcesOf } from './chosen-files';
 import { filesOf } from './dropped-files';

@@ -1,6 +1,6 @@
 import '../css/question.css';
 import { create } from '../base/dom';
-import { QUESTION } from '../base/english';
+import { QUESTION } from '../words/web';
 
 export interface Question {
   title: string;

@@ -1,8 +1,8 @@
 import { SAMPLE_NAMES } from 'abflat';
 import { create, element } from '../base/dom';
-import { ABOUT_SAMPLES, SAMPLES } from '../base/english';
 import { MenuButton } from '../controls/menu-button';
 import { sampleTitle } from '../session/titles';
+import { ABOUT_SAMPLES, SAMPLES } from '../words/opening';
 
 /** Samples that are files beside the page, which abflat does not make itself. */
 const FILES: Record<string, string> = { pumpkin: 'pumpkin.glb' };

@@ -1,6 +1,6 @@
 // What is asked before anything is fetched from another server.
 
-import { WEB_SHEET } from '../base/english';
+import { WEB_SHEET } from '../words/web';
 import { type Address, shown } from './address';
 import type { Question } from './question';
 

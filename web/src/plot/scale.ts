@@ -1,4 +1,4 @@
-import { measure } from '../base/format';
+import { measure } from '../words/format';
 
 /** Where values lie on an axis, 0..1, and which of them have ticks. */
 export interface Scale {

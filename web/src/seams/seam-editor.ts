@@ -1,4 +1,3 @@
-import { SEAMS } from '../base/english';
 import { loadPart } from '../base/load-part';
 import { closesSomething, isMessageNext } from '../base/messages';
 import { isTouch } from '../base/touch';
@@ -7,6 +6,7 @@ import { Aim, type Modifiers, modifiersOf } from '../view/aim';
 import type { MeshView } from '../view/mesh-view';
 import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel } from '../view/sight';
+import { SEAMS } from '../words/seams';
 import { edgeAt, edgeAwayFromEnds } from './pick';
 import type { SeamModel } from './seam-model';
 import type { Brush, SeamPainter } from './seam-painter';
@@ -62,7 +62,7 @@ export class SeamEditor {
       clicked: (at, modifiers) => this.onClick(at, modifiers),
       doubleClicked: (at, modifiers) => this.onDoubleClick(at, modifiers),
     });
-    view.onTurn(() => {
+    view.orbit.onTurn(() => {
       this.begunOnEdge = null;
       this.aim.refresh();
     });

@@ -1,5 +1,5 @@
-import { SEAM_FILES } from '../base/english';
 import { edgeBetween, type SurfaceGraph } from '../surface/surface-graph';
+import { SEAM_FILES } from '../words/seams';
 
 /** Its message names the file, the line and the problem. */
 export class BadSeamFile extends Error {}

@@ -1,6 +1,7 @@
 import { element } from '../base/dom';
 import { download } from '../base/download';
-import { READING, SEAM_FILES } from '../base/english';
+import { READING } from '../words/opening';
+import { SEAM_FILES } from '../words/seams';
 
 export interface SeamFileEvents {
   /** The text to save; null if there is none, which has been said. */

@@ -1,11 +1,11 @@
 import type { MeshSummary } from 'abflat';
 import { showAlert } from '../base/alert';
-import { SEAM_FILES, SEAMS } from '../base/english';
 import { loadPart } from '../base/load-part';
 import { startOnce } from '../base/start-once';
 import type { DisplayMesh } from '../mesh/mesh';
 import type { Unwrapped } from '../model/model';
 import type { MeshView } from '../view/mesh-view';
+import { SEAM_FILES, SEAMS } from '../words/seams';
 import type { Workshop } from '../workshop/workshop';
 import {
   AUTOMATIC,

@@ -1,7 +1,7 @@
-import { SEAMS } from '../base/english';
 import type { NearbyPaths } from '../surface/nearby-paths';
 import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel, Sight } from '../view/sight';
+import { SEAMS } from '../words/seams';
 import { edgesUnder, withinReach } from './pick';
 import type { SeamModel } from './seam-model';
 import { endsOf, placeAt, type Targets } from './seam-targets';

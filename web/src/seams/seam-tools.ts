@@ -1,6 +1,6 @@
 import { element } from '../base/dom';
-import { inTouchWords } from '../base/english';
 import { isTouch } from '../base/touch';
+import { inTouchWords } from '../words/format';
 
 export type Tool = 'cut' | 'join';
 

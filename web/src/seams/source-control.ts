@@ -1,6 +1,6 @@
 import { element } from '../base/dom';
-import { SEAM_SOURCES } from '../base/english';
 import { refusal } from '../controls/number-field';
+import { SEAM_SOURCES } from '../words/seams';
 import type { Offered, SeamChoice, SeamSources } from './seam-choice';
 
 const NO_SOURCES: SeamSources = {

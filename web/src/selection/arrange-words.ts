@@ -1,5 +1,5 @@
 import type { GestureKind } from '../arrange/gesture';
-import { ARRANGED, MOVING, SELECTION } from '../base/english';
+import { ARRANGED, MOVING, SELECTION } from '../words/selection';
 
 /** What can be done to the selected charts, as the menu names it. */
 export type ArrangeName = keyof typeof ARRANGED;

@@ -1,7 +1,8 @@
 import { element } from '../base/dom';
-import { NUMBERS, SELECTION } from '../base/english';
 import { fits, refusal } from '../controls/number-field';
 import { DENSITY_RULE } from '../model/face-densities';
+import { NUMBERS } from '../words/controls';
+import { SELECTION } from '../words/selection';
 
 /** The texel density of the selected charts relative to the others. */
 export class DensityField {

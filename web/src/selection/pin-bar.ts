@@ -1,6 +1,7 @@
 import { element } from '../base/dom';
-import { inTouchWords, PINS } from '../base/english';
 import { isTouch } from '../base/touch';
+import { inTouchWords } from '../words/format';
+import { PINS } from '../words/selection';
 
 export interface PinBarActions {
   toggle(): void;

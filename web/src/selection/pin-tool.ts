@@ -1,12 +1,12 @@
 import { bent, type ChartMesh, type Coordinates } from '../arrange/chart-mesh';
 import { type Motion, moved, type Point, STILL } from '../arrange/motion';
-import { PINS } from '../base/english';
 import { isMessageNext } from '../base/messages';
 import type { Unwrapped } from '../model/model';
 import { Aim } from '../view/aim';
 import type { Bending } from '../view/bending';
 import type { Pixel } from '../view/sight';
 import type { Views } from '../view/views';
+import { PINS } from '../words/selection';
 import type { Movable } from './mover';
 import { PinBar } from './pin-bar';
 import {

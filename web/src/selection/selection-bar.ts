@@ -1,8 +1,8 @@
 import type { UnwrapReport } from 'abflat';
 import { element } from '../base/dom';
-import { SELECTION } from '../base/english';
 import { MenuButton } from '../controls/menu-button';
 import type { ChartStates } from '../view/chart-flags';
+import { SELECTION } from '../words/selection';
 
 export interface SelectionActions {
   frame(): void;

@@ -1,9 +1,9 @@
 // Names changes of settings, as the history shows them.
 
-import { CHANGES, LAYING_OUT } from '../base/english';
-import type { Bound } from '../base/format';
 import { MORE, MORE_LABELS } from '../model/more-options';
 import type { Settings } from '../model/settings';
+import type { Bound } from '../words/format';
+import { CHANGES, LAYING_OUT } from '../words/run';
 
 export interface Change {
   /** "Max stretch 1.05" */

@@ -1,7 +1,7 @@
 // Why an atlas has too little room, in the words of the page.
 
-import { NO_ROOM } from '../base/english';
 import { RESOLUTIONS } from '../model/settings';
+import { NO_ROOM } from '../words/run';
 
 /** How abflat says which texel density and which resolution would do. */
 const TOO_DENSE =

@@ -1,7 +1,6 @@
 import type { Abflat, MeshFile, MeshInput } from 'abflat';
 import { Background } from '../base/background';
 import { copied } from '../base/buffers';
-import { READING } from '../base/english';
 import { lostOf } from '../base/lost';
 import { asDisk } from '../mesh/as-disk';
 import type { FlatDrawing } from '../model/drawing';
@@ -14,6 +13,7 @@ import {
   type Source,
 } from '../model/model';
 import type { Settings } from '../model/settings';
+import { READING } from '../words/opening';
 import { layOut } from './lay-out';
 import { currentStep, type Left } from './left-meshes';
 import { notSupported } from './words';

@@ -3,12 +3,12 @@
 
 import type { Abflat, MeshInput, UnwrapOptions, UnwrapReport, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
-import { DEFECTS } from '../base/english';
 import { inOneTile } from '../mesh/in-one-tile';
 import type { DisplayMesh } from '../mesh/mesh';
 import { isOutside, isOverlapping } from '../model/misplaced';
 import type { Helpers, Unwrapped } from '../model/model';
 import { type Stack, stacksIn } from '../model/stacks';
+import { DEFECTS } from '../words/result';
 
 export type StackHelpers = Pick<Helpers, 'stacks' | 'apart' | 'restacked'>;
 

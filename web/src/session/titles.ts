@@ -1,5 +1,5 @@
-import { UV_SETS } from '../base/english';
 import type { Source } from '../model/model';
+import { UV_SETS } from '../words/opening';
 
 /** "wavy-strip" as "Wavy strip". */
 export function sampleTitle(name: string): string {

@@ -1,11 +1,13 @@
 import { FLATTEN_DEFAULTS, type MeshSummary, UNWRAP_DEFAULTS } from 'abflat';
-import { LAYING_OUT, READING, RUN, SETTINGS, SHOWN } from '../base/english';
-import { ended, inPageWords } from '../base/format';
 import type { DisplayMesh } from '../mesh/mesh';
 import { foundChart } from '../model/found-chart';
 import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
 import { changedOptions } from '../model/more-options';
 import type { Settings } from '../model/settings';
+import { ended, inPageWords } from '../words/format';
+import { READING } from '../words/opening';
+import { LAYING_OUT, RUN, SETTINGS } from '../words/run';
+import { SHOWN } from '../words/view';
 import { inRoomWords } from './no-room';
 import { titleOf } from './titles';
 

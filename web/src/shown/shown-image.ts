@@ -1,8 +1,9 @@
 import { hideAlert } from '../base/alert';
-import { OWN_IMAGE, SHOWN } from '../base/english';
 import { loadPart, reasonOf } from '../base/load-part';
 import type { Notice } from '../controls/notice';
 import type { Views } from '../view/views';
+import { OWN_IMAGE } from '../words/looks';
+import { SHOWN } from '../words/view';
 
 export const ownImages = () => loadPart(import('../files/own-image'));
 

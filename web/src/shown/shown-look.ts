@@ -1,8 +1,8 @@
-import { SHOWN } from '../base/english';
 import { isTouch } from '../base/touch';
 import type { Notice } from '../controls/notice';
 import type { Opened } from '../model/model';
 import type { Views } from '../view/views';
+import { SHOWN } from '../words/view';
 import type { Workshop } from '../workshop/workshop';
 
 /** Bytes that the images of a mesh may take, and again on the graphics card of each view. */

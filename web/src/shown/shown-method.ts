@@ -1,9 +1,10 @@
 import type { Comparison, MethodResult } from 'abflat';
 import { element } from '../base/dom';
-import { METRICS, SHOWN } from '../base/english';
 import type { MetricsPanel } from '../details/metrics';
 import type { Outcome } from '../model/model';
 import type { Views } from '../view/views';
+import { METRICS } from '../words/result';
+import { SHOWN } from '../words/view';
 import type { Workshop } from '../workshop/workshop';
 import { ownerOf } from './stale-mark';
 

@@ -1,10 +1,11 @@
 import { element } from '../base/dom';
-import { METRICS, SHOWN } from '../base/english';
 import type { MetricsPanel } from '../details/metrics';
 import type { Outcome, Source } from '../model/model';
 import { type Settings, sameSettings } from '../model/settings';
 import { titleOf } from '../session/titles';
 import { settingsText } from '../session/words';
+import { METRICS } from '../words/result';
+import { SHOWN } from '../words/view';
 
 /** Names the mesh and settings that a result belongs to, for display. */
 export const ownerOf = ({ source, settings }: Outcome) =>

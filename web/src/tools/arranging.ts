@@ -1,10 +1,10 @@
 import type { ChartMesh } from '../arrange/chart-mesh';
-import { STACKING } from '../base/english';
 import type { Unwrapped } from '../model/model';
 import type { UnwrapSettings } from '../model/settings';
 import { PinTool } from '../selection/pin-tool';
 import { type SelectionEvents, SelectionPanel } from '../selection/selection-panel';
 import type { Views } from '../view/views';
+import { STACKING } from '../words/selection';
 import type { Workshop } from '../workshop/workshop';
 import { type Change, Placement, type PlacementEvents } from './placement';
 

@@ -1,14 +1,14 @@
 import type { VertexBound } from 'abflat';
 import { showAlert } from '../base/alert';
 import { element } from '../base/dom';
-import { BOUNDS } from '../base/english';
-import { ownBoundsText } from '../base/format';
 import { loadPart, reasonOf } from '../base/load-part';
 import { LEAST, MOST, meaning, STEP } from '../controls/bound-control';
 import { differences, type VertexBounds, withBound, withoutBound } from '../mesh/vertex-bounds';
 import type { Outcome } from '../model/model';
 import type { Solid } from '../surface/solid';
 import type { Views } from '../view/views';
+import { BOUNDS } from '../words/controls';
+import { ownBoundsText } from '../words/format';
 import type { Workshop } from '../workshop/workshop';
 import type { BoundBrush } from './bound-brush';
 

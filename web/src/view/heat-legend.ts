@@ -1,6 +1,6 @@
 import { create, element } from '../base/dom';
-import { HEAT_LEGEND } from '../base/english';
 import { BARS, type Measure, SCALES, type Spread } from '../model/measures';
+import { HEAT_LEGEND } from '../words/view';
 import { BEYOND, type Chosen } from './heat-uniforms';
 
 /** The height of a bar grows with the root of its share, so that the few bad triangles are seen beside the many good ones. */

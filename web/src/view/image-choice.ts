@@ -1,5 +1,5 @@
 import { element } from '../base/dom';
-import { SHADINGS } from '../base/english';
+import { SHADINGS } from '../words/view';
 
 /** Keys with which an entry is chosen; any other key that changes a list only goes through it. */
 const CHOOSING = ['', 'Enter', ' '];

@@ -1,7 +1,7 @@
 import type { DelaunayReport, VertexBound } from 'abflat';
 import { create, element } from '../base/dom';
-import { MARKS } from '../base/english';
-import { ownBoundsText } from '../base/format';
+import { ownBoundsText } from '../words/format';
+import { MARKS } from '../words/view';
 
 /** The part of a report that is shown beside the layout. */
 export interface Marked {

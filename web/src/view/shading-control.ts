@@ -1,7 +1,7 @@
 import { element } from '../base/dom';
-import { SHADINGS } from '../base/english';
 import type { FlatDrawing } from '../model/drawing';
 import type { Measure } from '../model/measures';
+import { SHADINGS } from '../words/view';
 import { HeatLegend } from './heat-legend';
 import type { Chosen } from './heat-uniforms';
 import { ImageChoice, type ImageEvents } from './image-choice';

@@ -59,6 +59,11 @@ export class Stage {
     return this.renderer.getPixelRatio();
   }
 
+  /** The most texels along a side of a texture. */
+  get mostTexels(): number {
+    return this.renderer.capabilities.maxTextureSize;
+  }
+
   /** Draws in the next frame, once, however often it is called before that. */
   invalidate(): void {
     this.isStale = true;

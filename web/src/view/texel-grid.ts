@@ -1,7 +1,7 @@
 import { Color, type ShaderMaterial } from 'three';
 import { element } from '../base/dom';
-import { GRID } from '../base/english';
 import { texelsBetween } from '../mesh/texels';
+import { GRID } from '../words/view';
 import { tileSheet, tileSquares } from './tile-sheet';
 import { CELLS } from './uv-grid';
 

@@ -1,5 +1,5 @@
 import type { Texture } from 'three';
-import { GRID } from '../base/english';
+import { GRID } from '../words/view';
 import { uvPicture } from './uv-picture';
 
 /** Cells along a side of the unit square of uv. */

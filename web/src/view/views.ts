@@ -56,17 +56,17 @@ export class Views {
         for (const view of both) view.setShading(shading, picture);
       },
       choose: (chosen) => {
-        for (const view of both) view.choose(chosen);
+        for (const { surface } of both) surface.choose(chosen);
       },
       imagePicked: (file) => this.imageEvents?.imagePicked(file),
       imageReached: () => this.imageEvents?.imageReached(),
     });
     for (const { canvas } of both) this.bindKey(canvas);
     bindToggle('wireframe', (isOn) => this.mesh.setWireframe(isOn));
-    const turnRound = () => this.mesh.turnRound();
-    element('other-side', HTMLButtonElement).addEventListener('click', turnRound);
-    element('reset', HTMLButtonElement).addEventListener('click', () => this.mesh.reset());
-    element('fit', HTMLButtonElement).addEventListener('click', () => this.layout.fit());
+    const { orbit } = this.mesh;
+    element('other-side', HTMLButtonElement).addEventListener('click', () => orbit.turnRound());
+    element('reset', HTMLButtonElement).addEventListener('click', () => orbit.reset());
+    element('fit', HTMLButtonElement).addEventListener('click', () => this.layout.plane.fit());
   }
 
   private bindKey(canvas: HTMLCanvasElement): void {
@@ -130,13 +130,13 @@ export class Views {
     const { mesh, layout, tints } = isMarked
       ? boundMarks(shownBoundary, this.bounds, palette)
       : NO_BOUND_MARKS;
-    this.mesh.markBounds(mesh, tints);
-    this.layout.markBounds(layout, tints);
+    this.mesh.surface.markBounds(mesh, tints);
+    this.layout.surface.markBounds(layout, tints);
   }
 
   /** Where a vertex of the boundary appears in the layout. */
   layoutPixel({ layout }: Boundary, i: number): Pixel {
-    return this.layout.pixelOf(layout[3 * i], layout[3 * i + 1]);
+    return this.layout.plane.pixelOf(layout[3 * i], layout[3 * i + 1]);
   }
 
   /** How a mesh looks in its file; null while that is not known. Images of the last one are freed. */
@@ -161,7 +161,7 @@ export class Views {
 
   /** The most texels along a side of an image. */
   get mostTexels(): number {
-    return this.mesh.mostTexels;
+    return this.mesh.surface.stage.mostTexels;
   }
 
   /** Shows an image in the unit square of uv; the last one is freed. */
@@ -182,8 +182,7 @@ export class Views {
 
   /** Highlights one chart; null: none. */
   lightChart(chart: number | null): void {
-    this.mesh.light(chart);
-    this.layout.light(chart);
+    for (const { surface } of [this.mesh, this.layout]) surface.light(chart);
   }
 
   goToCharts(charts: number[]): void {
@@ -198,7 +197,7 @@ export class Views {
       selected === states.selected && hidden === states.hidden && stacked === states.stacked;
     if (isSame && hovered === states.hovered && invalid === states.invalid) return;
     this.states = { selected, hidden, hovered, invalid, stacked };
-    this.mesh.showStates(this.states);
+    this.mesh.surface.showStates(this.states);
     this.layout.showStates(this.states);
   }
 
@@ -229,7 +228,7 @@ export class Views {
 
   /** The point of uv at a pixel of the layout. */
   uvAt(at: Pixel): Point {
-    return this.layout.uvAt(at);
+    return this.layout.plane.uvAt(at);
   }
 
   /** The box in uv of some charts. */
@@ -239,12 +238,12 @@ export class Views {
 
   /** Css pixels per unit of uv. */
   get pixelsPerUv(): number {
-    return this.layout.pixelsPerUv;
+    return this.layout.plane.pixelsPerUv;
   }
 
   /** Drags of the layout pan only when `mayPan`. */
   setPanning(mayPan: () => boolean): void {
-    this.layout.setPanning(mayPan);
+    this.layout.plane.setPanning(mayPan);
   }
 
   /** Copies of both views. */
@@ -253,7 +252,10 @@ export class Views {
     layout: HTMLCanvasElement;
     pixelRatio: number;
   }> {
-    const [mesh, layout] = await Promise.all([this.mesh.picture(), this.layout.picture()]);
+    const [mesh, layout] = await Promise.all([
+      this.mesh.surface.stage.picture(),
+      this.layout.surface.stage.picture(),
+    ]);
     return { mesh, layout, pixelRatio: layout.width / this.layout.canvas.clientWidth };
   }
 
@@ -267,8 +269,8 @@ export class Views {
 
   /** `moved` is called when a view shows another part, or from another side. */
   onMoved(view: ViewName, moved: () => void): void {
-    if (view === 'mesh') this.mesh.onTurn(moved);
-    else this.layout.onMove(moved);
+    if (view === 'mesh') this.mesh.orbit.onTurn(moved);
+    else this.layout.plane.onMove(moved);
   }
 
   showOutcome(outcome: Outcome, drawing: FlatDrawing): void {
@@ -276,7 +278,7 @@ export class Views {
     this.shownSource = outcome.source;
     if (isNew && this.look) this.layout.setAppearance(this.lookOf(outcome.source));
     const isDisk = outcome.mode === 'flatten';
-    if (isDisk !== this.isDisk) this.layout.fit();
+    if (isDisk !== this.isDisk) this.layout.plane.fit();
     this.isDisk = isDisk;
     this.layout.setTexels(
       outcome.mode === 'unwrap' ? outcome.result.report.atlas.resolution : null,

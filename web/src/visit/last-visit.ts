@@ -1,11 +1,11 @@
 import type { MeshSummary } from 'abflat';
-import { VISIT } from '../base/english';
 import { forget, remember, remembered } from '../base/remember';
 import { Stored } from '../base/stored';
 import type { Opened, Outcome, Source } from '../model/model';
 import type { Marks, Settings } from '../model/settings';
 import { FIRST_SAMPLE } from '../opening/open-mesh';
 import { titleOf } from '../session/titles';
+import { VISIT } from '../words/opening';
 import { fitting, SettingsLink } from './settings-link';
 import { textOf } from './settings-text';
 import {

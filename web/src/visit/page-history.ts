@@ -1,9 +1,9 @@
-import { CHANGES } from '../base/english';
 import { StepButtons } from '../controls/step-buttons';
 import { HistoryTab } from '../details/history-tab';
 import type { Outcome } from '../model/model';
 import type { Settings } from '../model/settings';
 import { type Step, type StepList, Steps } from '../session/steps';
+import { CHANGES } from '../words/run';
 
 /** Undo, redo and the list of all steps. `restore` is called with a step to go back to, and what to say. */
 export class PageHistory {

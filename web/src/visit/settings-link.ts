@@ -1,7 +1,7 @@
 import type { MeshSummary } from 'abflat';
-import { VISIT } from '../base/english';
 import type { Settings } from '../model/settings';
 import { choiceOf, offeredBy, seamWords } from '../seams/seam-choice';
+import { VISIT } from '../words/opening';
 import { settingsOf, textOf } from './settings-text';
 
 /** Of one word that means nothing. */

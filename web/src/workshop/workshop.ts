@@ -3,7 +3,6 @@ import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf, copied } from '../base/buffers';
-import { LOST } from '../base/english';
 import { NOT_LOADED, notLoaded, stopped } from '../base/lost';
 import type { NamedMesh } from '../files/joined-obj';
 import type { AtlasDrawing } from '../files/svg-text';
@@ -23,6 +22,7 @@ import type {
 } from '../model/model';
 import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
+import { LOST } from '../words/base';
 import { KeptColors } from './kept-colors';
 import type { Tasks } from './worker';
 

@@ -1,3 +1,5 @@
+// Words within numbers and lists, and how numbers are written.
+
 const INTEGER = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 
 export function count(n: number): string {
@@ -23,6 +25,14 @@ export function listed(names: string[]): string {
 /** abflat says texcoords where the page says UVs. */
 export function inPageWords(message: string): string {
   return message.replace(/\btexcoords\b(?!\.\w)/g, 'UVs').replace(/\btexcoord\b(?!\.\w)/g, 'UV');
+}
+
+/** What is said of clicks and keys, for fingers: a second one cancels a stroke. */
+export function inTouchWords(text: string): string {
+  return text
+    .replace(/\bClick\b/g, 'Tap')
+    .replace(/\bclick\b/g, 'tap')
+    .replace('Esc cancels', 'a second finger cancels');
 }
 
 /** In the page's words and with a capital at the beginning. */

@@ -1,0 +1,103 @@
+// Opening meshes.
+
+import { counted, ended } from './format';
+
+/** Choosing or dropping files. */
+export const CHOSEN_FILES = {
+  noMesh: (names: string[]) => {
+    const what =
+      names.length === 1
+        ? `${names[0]} is not a mesh`
+        : `None of these ${names.length} files is a mesh`;
+    return `${what}. Open an OBJ, PLY, STL, OFF, glTF or GLB file, along with any files it needs.`;
+  },
+  emptyFolder: 'The folder is empty. Drop a mesh, or a folder that contains one.',
+  tooMany: (most: number) =>
+    `The folder holds more than ${most} files. Drop only the mesh and the files it needs.`,
+  unreadable: 'The file was moved or deleted, so it cannot be read. Open it again.',
+};
+
+/** Why a mesh cannot be read. */
+export const READING = {
+  noMesh: 'Open a mesh first.',
+  empty: (name: string) => `${name} is empty. Export or download it again.`,
+  notSupported: (name: string) => `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`,
+  /** A file of a 3D program. */
+  scene: (name: string) =>
+    `${name} is not supported. Export it as glTF from Blender, Maya or the program that made it, then drop that file.`,
+  withoutFaces: (name: string, vertices: number) => {
+    const content =
+      vertices > 0 ? `${counted(vertices, 'vertex', 'vertices')} but no faces` : 'no faces';
+    return `${name} has ${content}, so there is nothing to unwrap. Save it with its faces.`;
+  },
+  /** `reason` is a sentence of the browser. */
+  unreadable: (name: string, reason: string) =>
+    `${name} cannot be read. ${ended(reason)} Choose the file again.`,
+};
+
+/** Files that take time to get. */
+export const GATHERING = {
+  got: (name: string) => `Got ${name}`,
+  notOpened: (name: string) => `${name} was not opened`,
+  cancelled: 'Cancelled',
+};
+
+export const JOINING = {
+  meshes: (n: number) => counted(n, 'mesh', 'meshes'),
+  joining: (n: number) => `Joining ${counted(n, 'mesh', 'meshes')}`,
+};
+
+/** What the user should know about the opened file. */
+export const OPENED_NOTICE = {
+  close: 'Close this notice',
+  tabs: 'Open as tabs',
+  aboutTabs: 'Each with a layout of its own',
+  oneAtlas: 'One atlas',
+  aboutOneAtlas: 'All as one mesh, in one layout',
+  compressed: (name: string, compressions: string[]) =>
+    `${name} was compressed with ${compressions.join(' and ')}. The export is uncompressed.`,
+  oneOfMany: (name: string, meshes: number) => `You chose ${meshes} meshes. ${name} is open.`,
+};
+
+/** The choices of a glTF's texcoord sets. */
+export const UV_SETS = {
+  read: (set: number) => `UV ${set}`,
+  title: (name: string, set: number) => `${name}, UV ${set}`,
+  added: (set: number) => `UV ${set}, new`,
+  replaced: (set: number) => `UV ${set}, replaced`,
+};
+
+export const MESH_TABS = {
+  tab: (title: string, isUnsaved: boolean) =>
+    `${title}${isUnsaved ? ', edits not exported' : ''} (Delete closes it)`,
+  unsaved: ', edits not exported',
+  close: (title: string) => `Close ${title} without exporting it?`,
+  whatIsLost: 'Its edits have not been exported. Closing it discards them.',
+  closeIt: 'Close without exporting',
+};
+
+export const SAMPLES = {
+  samples: 'Samples',
+  sample: (title: string) => `Sample: ${title}`,
+};
+
+/** What there is to see in each sample. */
+export const ABOUT_SAMPLES: Record<string, string> = {
+  hemisphere: 'half a sphere',
+  'wavy-strip': 'long and bent',
+  head: 'cut at the neck',
+  'alpha-band': 'overlaps when flat',
+  'three-balls': 'tight necks',
+  pumpkin: 'closed, textured',
+};
+
+/** The mesh and settings that the page starts with. */
+export const VISIT = {
+  restored: (title: string) => `Restored ${title} from your last visit`,
+  stoppedOpening: 'Your last mesh was not reopened, because the page stopped while opening it.',
+  tooLarge: 'Your last mesh was too large to keep. Open it again.',
+  unreadable: 'Your last visit could not be restored.',
+  notRestored: (title: string, message: string) =>
+    `${title} could not be restored from your last visit: ${ended(message)}`,
+  notOffered: (words: string) => `The link asks for ${words}, which this page does not offer.`,
+};
