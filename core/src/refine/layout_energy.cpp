@@ -28,10 +28,6 @@ PlaneMap mapOf(const DiskChart& chart, const RestTriangles& rest, const std::vec
   return rest[f].mapTo(a, b, c);
 }
 
-double determinant(const PlaneMap& m) {
-  return m[0] * m[0] + m[1] * m[1] - m[2] * m[2] - m[3] * m[3];
-}
-
 /// The smallest positive root of a + b x + c x^2 with a > 0, or infinity.
 double firstRoot(double a, double b, double c) {
   const double discriminant = b * b - 4 * a * c;
@@ -43,7 +39,7 @@ double firstRoot(double a, double b, double c) {
 
 }  // namespace
 
-double layoutEnergy(const DiskChart& chart, const RestTriangles& rest, double balance,
+double layoutEnergy(const DiskChart& chart, const RestTriangles& rest, const Energy& energy,
                     const std::vector<double>& uv, ThreadPool* pool) {
   const auto energyOf = [&](IdRange<ChartTriangle> piece) {
     double sum = 0;
@@ -51,7 +47,7 @@ double layoutEnergy(const DiskChart& chart, const RestTriangles& rest, double ba
       if (rest[f].weight == 0) continue;
       const PlaneMap m = mapOf(chart, rest, uv, f);
       if (!(determinant(m) > 0)) return std::numeric_limits<double>::infinity();
-      sum += rest[f].weight * elementEnergy(m, balance);
+      sum += rest[f].weight * elementEnergy(m, energy);
     }
     return sum;
   };
@@ -60,18 +56,12 @@ double layoutEnergy(const DiskChart& chart, const RestTriangles& rest, double ba
   return sum;
 }
 
-double bestScale(const DiskChart& chart, const RestTriangles& rest, double balance,
+double bestScale(const DiskChart& chart, const RestTriangles& rest, const Energy& energy,
                  const std::vector<double>& uv) {
-  if (balance == 0) return 1;
-  double growing = 0, shrinking = 0;
-  for (const ChartTriangle f : rest.ids()) {
-    if (rest[f].weight == 0) continue;
-    const PlaneMap m = mapOf(chart, rest, uv, f);
-    const double square = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
-    growing += rest[f].weight * square;
-    shrinking += rest[f].weight * square / (determinant(m) * determinant(m));
-  }
-  const double scale = std::sqrt(std::sqrt(shrinking / growing));
+  const double scale = energy.bestScale([&](const auto& use) {
+    for (const ChartTriangle f : rest.ids())
+      if (rest[f].weight != 0) use(rest[f].weight, mapOf(chart, rest, uv, f));
+  });
   return scale > 0 && std::isfinite(scale) ? scale : 1;
 }
 

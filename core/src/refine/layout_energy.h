@@ -4,17 +4,18 @@
 
 #include "base/parallel.h"
 #include "chart/disk_chart.h"
+#include "refine/element_energy.h"
 #include "refine/rest_triangles.h"
 
 namespace abflat {
 
 /// The energy of a layout: the weighted sum over its triangles. Infinite if one is flipped. Does
 /// not depend on `pool`; null: one thread.
-double layoutEnergy(const DiskChart& chart, const RestTriangles& rest, double balance,
+double layoutEnergy(const DiskChart& chart, const RestTriangles& rest, const Energy& energy,
                     const std::vector<double>& uv, ThreadPool* pool = nullptr);
 
 /// The factor by which to scale the layout for the least energy; 1 if scale makes no difference.
-double bestScale(const DiskChart& chart, const RestTriangles& rest, double balance,
+double bestScale(const DiskChart& chart, const RestTriangles& rest, const Energy& energy,
                  const std::vector<double>& uv);
 
 /// The longest step in a direction, at most `most`, before a triangle loses its area. The layout

@@ -22,10 +22,10 @@ constexpr double kLinearTolerance = 1e-2;
 constexpr double kLinearToleranceHeld = 1e-4;
 /// Share of the way to the first triangle without area.
 constexpr double kShareOfLongest = 0.9;
-/// A step that promises to gain more than this share of the energy above 1 is followed by one of
-/// the Far kind.
+/// A step that promises to gain more than this share of the energy above that at rest is followed
+/// by one of the Far kind.
 constexpr double kFar = 0.15;
-/// This share of the whole energy counts as much as all of the energy above 1.
+/// This share of the whole energy counts as much as all of it above that at rest.
 constexpr double kShareOfEnergy = 0.025;
 /// Ratio of a step's gain to that of the step before: a better one is not expected, and nothing is
 /// concluded from a worse one.
@@ -72,7 +72,7 @@ class Refiner {
   }
 
   Refinement run() {
-    const double scale = bestScale(chart_, rest_, options_.balance, uv_);
+    const double scale = bestScale(chart_, rest_, options_.energy, uv_);
     if (options_.isFixed.empty())
       for (double& x : uv_) x *= scale;
     else
@@ -82,7 +82,7 @@ class Refiner {
     const std::vector<double> start = uv_;
     isSimple_ = isSimple(uv_);
     if (std::isfinite(energy_)) iterate();
-    out_.energy = layoutEnergy(chart_, rest_, options_.balance, uv_, options_.pool);
+    out_.energy = layoutEnergy(chart_, rest_, options_.energy, uv_, options_.pool);
     const bool isBetter =
         springs_.isEmpty() ? out_.energy < out_.energyBefore : energy_ < out_.energyBefore;
     if (!isBetter) {
@@ -114,7 +114,7 @@ class Refiner {
   }
 
   double energyOf(const std::vector<double>& uv) const {
-    const double own = layoutEnergy(chart_, rest_, options_.balance, uv, options_.pool);
+    const double own = layoutEnergy(chart_, rest_, options_.energy, uv, options_.pool);
     if (!std::isfinite(own)) return own;
     return own + shape_.energy(uv) + springs_.energy(uv) + (barrier_ ? barrier_->energy(uv) : 0);
   }
@@ -125,7 +125,7 @@ class Refiner {
 
   void assemble() {
     const ElementCurvature curvature = isFar_ ? ElementCurvature::Far : ElementCurvature::Near;
-    system_.assemble({uv_, options_.balance, curvature}, isFixed_);
+    system_.assemble({uv_, options_.energy, curvature}, isFixed_);
     gradient_ = system_.gradient();
     if (foreseen_ || !springs_.isEmpty()) addContacts();
     if (!far_.exists()) return;
@@ -226,8 +226,8 @@ class Refiner {
       assemble();
       if (!findDirection()) return;
       const double gain = -slope_ / 2;
-      isFar_ = gain > kFar * (energy_ - 1);
-      const double small = std::min(energy_ - 1, kShareOfEnergy * energy_);
+      isFar_ = gain > kFar * (energy_ - Energy::kAtRest);
+      const double small = std::min(energy_ - Energy::kAtRest, kShareOfEnergy * energy_);
       const double least = foreseen_ ? options_.leastHeld : 0;
       const bool isLast = remainder(gain) <= options_.tolerance * small + least + kRounding;
       const Step taken = step();
@@ -308,10 +308,14 @@ Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOp
   return Refiner(chart, std::move(uv), options).run();
 }
 
-double energyOf(const DiskChart& chart, const std::vector<double>& uv, double balance) {
+double energyOf(const DiskChart& chart, const std::vector<double>& uv, const Energy& energy) {
   const RestTriangles rest = restTriangles(chart, uv);
-  const double scale = bestScale(chart, rest, balance, uv);
-  return layoutEnergy(chart, scaledDown(rest, scale), balance, uv);
+  const double scale = bestScale(chart, rest, energy, uv);
+  return layoutEnergy(chart, scaledDown(rest, scale), energy, uv);
+}
+
+double stretchBeforeRefining(double stretch, const Energy& energy) {
+  return 1 + (stretch - 1) / energy.shareLeft();
 }
 
 }  // namespace abflat

@@ -116,7 +116,7 @@ void RefineSystem::addTriangle(const RefinePoint& at, ChartTriangle f, std::uint
   };
   const auto p = pointsOf(at.uv, v);
   const ElementDerivatives d =
-      elementDerivatives(rest.mapTo(p[0], p[1], p[2]), at.balance, at.curvature);
+      elementDerivatives(rest.mapTo(p[0], p[1], p[2]), at.energy, at.curvature);
   const std::array<VertexColumns, 3> columns = columnsOf(rest);
   std::array<VertexColumns, 3> products;
   const int* start = matrix_.outerIndexPtr();

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/point2.h"
 #include "chart/disk_chart.h"
+#include "refine/element_energy.h"
 #include "refine/rest_triangles.h"
 
 namespace abflat {
@@ -14,7 +15,7 @@ namespace abflat {
 /// A layout, and which derivatives of its energy to compute.
 struct RefinePoint {
   const std::vector<double>& uv;
-  double balance = 0;
+  const Energy& energy;
   ElementCurvature curvature = ElementCurvature::Near;
 };
 
