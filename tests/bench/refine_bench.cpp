@@ -46,7 +46,7 @@ Refinement reference(const PolygonMesh& mesh, double balance) {
       flattenChart(flattener, automaticGoal(BoundaryBounds(chart.boundary.size(), 2)));
   flattener.endSolving();
   RefineOptions options;
-  options.balance = balance;
+  options.energy = Energy(balance);
   options.maxSteps = kReferenceSteps;
   options.tolerance = kReferenceTolerance;
   options.pool = &pool;

@@ -69,7 +69,7 @@ Rectified rectified(const DiskChart& chart, const std::vector<double>& uv,
   std::vector<double> now = uv;
   turn(found.turn, now);
   RefineOptions refining;
-  refining.balance = options.balance;
+  refining.energy = Energy(options.balance);
   refining.allowedBytes = options.allowedBytes;
   refining.pool = options.pool;
   refining.onStep = options.onStep;

@@ -10,7 +10,7 @@
 namespace abflat {
 
 struct RectifyOptions {
-  double balance = 0;  ///< see elementEnergy
+  double balance = 0;  ///< see BalancedEnergy
   LevelLimits limits;
   std::uint64_t allowedBytes = 0;
   ThreadPool* pool = nullptr;

@@ -48,7 +48,7 @@ int solvesFor(const DiskChart& chart, Outline outline) {
 RefineOptions optionsFor(const ChartFlattener& flattener, const RefineConstraints& constraints,
                          Outline outline) {
   RefineOptions out;
-  out.balance = constraints.balance;
+  out.energy = Energy(constraints.balance);
   out.isFixed = fixedVertices(flattener.chart(), constraints, outline == Outline::Fixed);
   out.maxSolves = solvesFor(flattener.chart(), outline);
   constexpr double kUnseen = 1e-4;  // far below any bound on stretch
@@ -96,7 +96,7 @@ Attempt refined(ChartFlattener& flattener, const RefineOptions& options, const A
   flattener.measure(out);
   if (isTangled(out) && !isPinned) {
     out = movedBack(flattener, out);
-    found.energy = energyOf(chart, out.uv, options.balance);
+    found.energy = energyOf(chart, out.uv, options.energy);
   }
   out.refined = {found.energyBefore, found.energy, found.steps, limitOf(found)};
   if (const std::string note = withoutFactorNote(found.memory); !note.empty())
@@ -153,7 +153,7 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineConstrain
   RefineOptions options = optionsFor(flattener, constraints, Outline::Shaped);
   options.maxSteps = kSteps;
   options.outline = std::move(rules);
-  const double before = energyOf(chart, attempt.uv, constraints.balance);
+  const double before = energyOf(chart, attempt.uv, options.energy);
   start = refined(flattener, options, start);
   if (!start.valid() || !(start.refined->energy < before)) return std::nullopt;
   Attempt out = attempt;
@@ -169,7 +169,7 @@ std::optional<Attempt> reshaped(ChartFlattener& flattener, const RefineConstrain
 /// An outline held by bounds nearly everywhere may do worse than the one it already has.
 bool isWellShaped(const RefineReport& report) {
   constexpr double kWorthwhile = 0.5;
-  return report.energy - 1 < kWorthwhile * (report.energyBefore - 1);
+  return report.energy - Energy::kAtRest < kWorthwhile * (report.energyBefore - Energy::kAtRest);
 }
 
 /// Measures the time spent refining, without the checks.

@@ -6,20 +6,6 @@
 namespace abflat {
 namespace {
 
-/// Derivatives of the energy as a function of P = |z|^2 and Q = |w|^2.
-struct SquareDerivatives {
-  double p, q, pp, pq, qq;
-};
-
-SquareDerivatives derivatives(double p, double q, double b) {
-  const double det = p - q, sum = p + q;
-  const double i1 = 1 / det, i2 = i1 * i1, i3 = i2 * i1, i4 = i2 * i2;
-  const double a = 1 - b, half = (1 + i2) / 2;
-  return {b * (half - sum * i3) - a * 2 * q * i2, b * (half + sum * i3) + a * 2 * p * i2,
-          b * (3 * sum * i4 - 2 * i3) + a * 4 * q * i3, -b * 3 * sum * i4 - a * 2 * sum * i3,
-          b * (3 * sum * i4 + 2 * i3) + a * 4 * p * i3};
-}
-
 /// A symmetric 2x2 matrix.
 struct Symmetric2 {
   double xx, xy, yy;
@@ -37,25 +23,16 @@ Symmetric2 projected(const Symmetric2& m) {
   return {scale * (radius + half), scale * m.xy, scale * (radius - half)};
 }
 
-/// For scalings by r: the secant of the slope of r^2 + r^-2 from r to 1, relative to the curvature
-/// at r.
-double secantShare(double r) {
-  const double i = 1 / r, i2 = i * i;
-  return (1 + i + i2 + i * i2) / (1 + 3 * i2 * i2);
-}
-
 }  // namespace
 
-double elementEnergy(const PlaneMap& m, double balance) {
-  const double p = m[0] * m[0] + m[1] * m[1], q = m[2] * m[2] + m[3] * m[3];
-  const double det = p - q, sum = p + q;
-  return (1 - balance) * sum / det + balance * (sum + sum / (det * det)) / 2;
+double elementEnergy(const PlaneMap& m, const Energy& energy) {
+  return energy.at(m[0] * m[0] + m[1] * m[1], m[2] * m[2] + m[3] * m[3]);
 }
 
-ElementDerivatives elementDerivatives(const PlaneMap& m, double balance,
+ElementDerivatives elementDerivatives(const PlaneMap& m, const Energy& energy,
                                       ElementCurvature curvature) {
   const double p = m[0] * m[0] + m[1] * m[1], q = m[2] * m[2] + m[3] * m[3];
-  const SquareDerivatives d = derivatives(p, q, balance);
+  const SquareDerivatives d = energy.derivatives(p, q);
   ElementDerivatives out;
   for (std::size_t i = 0; i < 2; ++i) {
     out.gradient[i] = 2 * d.p * m[i];
@@ -63,11 +40,11 @@ ElementDerivatives elementDerivatives(const PlaneMap& m, double balance,
   }
   // Along z and along w, and, apart from these, across z (a rotation) and across w.
   const double rootP = std::sqrt(p), rootQ = std::sqrt(q);
-  const double share = curvature == ElementCurvature::Far ? secantShare(rootP) : 1;
+  const double share = curvature == ElementCurvature::Far ? energy.secantShare(rootP) : 1;
   const Symmetric2 r =
       projected({share * (2 * d.p + 4 * p * d.pp), std::sqrt(share) * 4 * rootP * rootQ * d.pq,
                  2 * d.q + 4 * q * d.qq});
-  const double acrossZ = std::max(2 * d.p, 0.0), acrossW = 2 * d.q;
+  const double acrossZ = std::max(2 * d.p, 0.0), acrossW = std::max(2 * d.q, 0.0);
   const double zx = m[0] / rootP, zy = m[1] / rootP;
   const double wx = rootQ > 0 ? m[2] / rootQ : 1, wy = rootQ > 0 ? m[3] / rootQ : 0;
   out.hessian = {r.xx * zx * zx + acrossZ * zy * zy,

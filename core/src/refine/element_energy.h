@@ -3,17 +3,11 @@
 #include <array>
 #include <cstdint>
 
+#include "refine/energy.h"
+
 namespace abflat {
 
-/// A linear map of the plane, zeta -> z zeta + w conj(zeta) as complex numbers: (Re z, Im z, Re w,
-/// Im w). z is its conformal part. Its singular values are |z| + |w| and |z| - |w|.
-using PlaneMap = std::array<double, 4>;
-
-/// With the balance b between 0 and 1: (1 - b) (s1/s2 + s2/s1)/2 + b (s1^2 + s2^2 + s1^-2 +
-/// s2^-2)/4. Both terms are at least 1; the first (MIPS, Hormann and Greiner 2000) is 1 for
-/// similarities, the second (symmetric Dirichlet) for rotations. Only for maps that preserve
-/// orientation.
-double elementEnergy(const PlaneMap& map, double balance);
+double elementEnergy(const PlaneMap& map, const Energy& energy);
 
 struct ElementDerivatives {
   PlaneMap gradient;
@@ -22,9 +16,9 @@ struct ElementDerivatives {
 };
 
 /// Near: the Hessian without its negative eigenvalues. Far: along z, the secant towards scale 1
-/// replaces the curvature, which would let a triangle grow by only a third however small it is.
+/// replaces the curvature.
 enum class ElementCurvature : std::uint8_t { Near, Far };
-ElementDerivatives elementDerivatives(const PlaneMap& map, double balance,
+ElementDerivatives elementDerivatives(const PlaneMap& map, const Energy& energy,
                                       ElementCurvature curvature = ElementCurvature::Near);
 
 }  // namespace abflat

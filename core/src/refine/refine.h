@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "chart/disk_chart.h"
+#include "refine/energy.h"
 #include "refine/level_springs.h"
 #include "refine/outline_shape.h"
 #include "solve/factor_memory.h"
@@ -14,7 +15,7 @@
 namespace abflat {
 
 struct RefineOptions {
-  double balance = 0;  ///< see elementEnergy; for 0 there is nothing to do
+  Energy energy = Energy(0);
   /// Which vertices stay where they are; empty: none.
   IdVector<ChartVertex, std::uint8_t> isFixed;
   OutlineRules outline;  ///< the layout has to conform to it from the start
@@ -52,6 +53,9 @@ struct Refinement {
 Refinement refine(const DiskChart& chart, std::vector<double> uv, const RefineOptions& options);
 
 /// The energy of a layout at the scale that minimises it.
-double energyOf(const DiskChart& chart, const std::vector<double>& uv, double balance);
+double energyOf(const DiskChart& chart, const std::vector<double>& uv, const Energy& energy);
+
+/// The stretch of a conformal layout that refining reduces to `stretch`.
+double stretchBeforeRefining(double stretch, const Energy& energy);
 
 }  // namespace abflat

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "chart/disk_chart.h"
-#include "refine/element_energy.h"
+#include "refine/plane_map.h"
 
 namespace abflat {
 

@@ -73,9 +73,4 @@ Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const LogSc
   return p;
 }
 
-double stretchBeforeRefining(double stretch, double balance) {
-  const double left = balance > 0 ? std::min(1.0, 0.24 + 0.96 / (1 + 40 * balance)) : 1;
-  return 1 + (stretch - 1) / left;
-}
-
 }  // namespace abflat

@@ -28,8 +28,4 @@ double kinkStretch(const SeamMesh& mesh, const CutSurface& surface, OpenVertex v
 
 Prediction predictStretch(const SeamMesh& mesh, const CutSurface& surface, const LogScales& u);
 
-/// The stretch of a conformal layout that refining with the given balance reduces to `stretch`.
-/// Empirical: refining leaves a share of the excess over 1 that hardly depends on the chart.
-double stretchBeforeRefining(double stretch, double balance);
-
 }  // namespace abflat

@@ -10,7 +10,7 @@
 
 namespace abflat {
 
-/// Solves symmetric systems of one pattern one after another: the rows of SchurSystem.
+/// Solves symmetric systems of one pattern one after another, such as those of a RowSystem.
 class RowSolver {
  public:
   virtual ~RowSolver() = default;

@@ -9,7 +9,7 @@
 #include "flatten/planar.h"
 #include "flatten/refine_chart.h"
 #include "mesh/triangle_geometry.h"
-#include "seam/prediction.h"
+#include "refine/refine.h"
 
 namespace abflat {
 
@@ -83,7 +83,7 @@ Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionVa
   }
   const int steps = kTriangles / static_cast<int>(std::max(chart.triangleCount(), 1u));
   return {20, std::clamp(steps, kFewest, kMost),
-          stretchBeforeRefining(options.maxStretch, options.balance), true};
+          stretchBeforeRefining(options.maxStretch, Energy(options.balance)), true};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "cut/filled_table.h"
 #include "hole/fill_holes.h"
 #include "mesh/triangle_geometry.h"
+#include "refine/refine.h"
 #include "seam/extract_charts.h"
 #include "seam/find_seams.h"
 #include "seam/halve_charts.h"
@@ -80,7 +81,7 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   SeamOptions out;
   out.variant = variant;
   out.isAuto = options.seams.isAuto;
-  out.maxStretch = stretchBeforeRefining(options.maxStretch, options.balance);
+  out.maxStretch = stretchBeforeRefining(options.maxStretch, Energy(options.balance));
   if (options.seamCosts == SeamCosts::Length) out.prices = SeamPrices::none();
   out.symmetricSeams = options.symmetricSeams;
   out.fillHoles = options.fillHoles;
@@ -354,7 +355,9 @@ Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& ch
     if (!(told > 0)) continue;
     // Above kMost the distortion is not due to area alone: add one seam, and let flattening tell.
     constexpr double kMost = 8, kSlightly = 1.01;
-    const auto above = [&](double x) { return stretchBeforeRefining(x, options.balance) - 1; };
+    const auto above = [&](double x) {
+      return stretchBeforeRefining(x, Energy(options.balance)) - 1;
+    };
     const double leastToCut = kSlightly * above(options.maxStretch) / told;
     // Invalid charts have not been refined.
     const double found = charts[i].isInvalid ? std::max((charts[i].stretch - 1) / told, leastToCut)

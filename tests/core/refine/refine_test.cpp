@@ -5,7 +5,6 @@
 #include "catch.h"
 #include "refine/boundary_barrier.h"
 #include "refine/layout_energy.h"
-#include "refine/refine_system.h"
 #include "support/dense_algebra.h"
 #include "support/instrumented.h"
 #include "support/meshes.h"
@@ -48,9 +47,9 @@ TEST_CASE("gradient and matrix of a layout agree with differences of its energy"
   const DiskChart chart = chartOf(bumpyGrid(4, 3, 0.6, 9));
   const std::vector<double> uv = conformalLayout(chart);
   const RestTriangles rest = restTriangles(chart, uv);
-  for (const double balance : {0.0, 0.2, 1.0}) {
-    RefineSystem system(chart, rest);
-    system.assemble({uv, balance}, {});
+  RowSystem system = layoutRows(chart);
+  for (const Energy& energy : {Energy(0), Energy(0.2), Energy(1)}) {
+    assembleDerivatives(chart, rest, {uv, energy}, {}, system);
     const Eigen::MatrixXd matrix = Eigen::MatrixXd(system.matrix()).selfadjointView<Eigen::Lower>();
     CHECK(symmetricEigen(matrix).values[0] > -1e-9);
     constexpr double kStep = 1e-6;
@@ -59,14 +58,29 @@ TEST_CASE("gradient and matrix of a layout agree with differences of its energy"
       up[i] += kStep;
       down[i] -= kStep;
       const double slope =
-          (layoutEnergy(chart, rest, balance, up) - layoutEnergy(chart, rest, balance, down)) /
+          (layoutEnergy(chart, rest, energy, up) - layoutEnergy(chart, rest, energy, down)) /
           (2 * kStep);
-      CHECK(system.gradient()[static_cast<Eigen::Index>(i)] == Approx(slope).margin(1e-7));
+      CHECK(system.rightHandSide[static_cast<Eigen::Index>(i)] == Approx(slope).margin(1e-7));
     }
     // Moving everything changes nothing.
     Eigen::VectorXd shift = Eigen::VectorXd::Zero(matrix.rows());
     for (Eigen::Index i = 0; i < shift.size(); i += 2) shift[i] = 1;
     CHECK((matrix * shift).cwiseAbs().maxCoeff() < 1e-9);
+  }
+}
+
+TEST_CASE("no other scale has less energy than the best one", "[refine]") {
+  const DiskChart chart = chartOf(bumpyGrid(6, 5, 0.7, 4));
+  const std::vector<double> uv = conformalLayout(chart);
+  const RestTriangles rest = restTriangles(chart, uv);
+  for (const Energy& energy : {Energy(0), Energy(0.2), Energy(1)}) {
+    const auto at = [&](double scale) {
+      std::vector<double> scaled = uv;
+      for (double& x : scaled) x *= scale;
+      return layoutEnergy(chart, rest, energy, scaled);
+    };
+    const double best = bestScale(chart, rest, energy, uv);
+    for (const double other : {0.5, 0.99, 1.01, 2.0}) CHECK(at(best) <= at(other * best) + 1e-12);
   }
 }
 
@@ -92,7 +106,8 @@ TEST_CASE("refining takes energy away and flips nothing", "[refine]") {
       CHECK(r.energy < r.energyBefore);
       CHECK(r.energy >= 1);
       CHECK(checkValidity(chart, r.uv).valid());
-      CHECK(r.energy == Approx(layoutEnergy(chart, restTriangles(chart, uv), balance, r.uv)));
+      CHECK(r.energy ==
+            Approx(layoutEnergy(chart, restTriangles(chart, uv), Energy(balance), r.uv)));
       // The second time there is nothing left to gain.
       const Refinement again = refine(chart, r.uv, withBalance(balance));
       CHECK(again.energyBefore - again.energy <= 2e-3 * (r.energyBefore - 1));

@@ -22,7 +22,7 @@ inline std::vector<double> conformalLayout(const DiskChart& chart) {
 
 inline RefineOptions withBalance(double balance) {
   RefineOptions out;
-  out.balance = balance;
+  out.energy = Energy(balance);
   return out;
 }
 
