@@ -45,8 +45,9 @@ struct UnwrapJob {
       if (!pins.ok()) return pins.status;
       options.pins = std::move(pins.value);
     }
-    options.roundsToSingle = writtenFormat(command.output) == FileFormat::Ply;
-    options.roundsForGltf = writtenFormat(command.output) == FileFormat::Gltf;
+    const Precision precision = precisionOf(writtenFormat(command.output));
+    options.roundsToSingle = precision == Precision::Single;
+    options.roundsForGltf = precision == Precision::Gltf;
     options.progress = std::move(progress);
     const double afterReading = peakMemory();
     Result<UnwrapResult> result =
