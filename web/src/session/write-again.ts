@@ -1,7 +1,8 @@
 import type { Abflat, FlattenResult, KnownLayout, MeshInput, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
 import { SAVING } from '../base/english';
-import type { ExportFormat, Outcome } from '../model/model';
+import type { ExportFormat } from '../base/generated-formats';
+import type { Outcome } from '../model/model';
 import { layOut } from './lay-out';
 import { judged, type Runs, type StackHelpers } from './stacks';
 
