@@ -1,6 +1,7 @@
 #!/usr/bin/env node
-// Turns core/schema into C++, TypeScript and the marked tables of the documentation. With --check,
-// writes nothing: exits with 1 and names the files that differ.
+// Turns core/schema into C++, TypeScript, the marked tables of the documentation and the files that
+// the manifest of the page accepts. With --check, writes nothing: exits with 1 and names the files
+// that differ.
 
 import {
   existsSync,
@@ -16,6 +17,12 @@ import { parseArgs } from 'node:util';
 import { renderField, renderNames, renderOptions, renderStatusCode } from './lib/generate-cpp.mjs';
 import { renderReportHeaders } from './lib/generate-cpp-report.mjs';
 import { fillRegions } from './lib/generate-docs.mjs';
+import {
+  fillManifest,
+  renderFileFormat,
+  renderMeshFormat,
+  renderPageFormats,
+} from './lib/generate-formats.mjs';
 import { renderResultArrays, renderTypeScript } from './lib/generate-ts.mjs';
 import { renderReportTypes } from './lib/generate-ts-report.mjs';
 import { readSchema } from './lib/read-schema.mjs';
@@ -23,6 +30,7 @@ import { optionSets } from './lib/schema.mjs';
 
 const REPO = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const SCHEMA = 'core/schema';
+const MANIFEST = 'web/public/manifest.webmanifest';
 const DOC_FOLDERS = ['.', 'docs', 'native', 'wasm', 'web'];
 
 /** Every file that the schema determines, as a map from path to full text. */
@@ -39,11 +47,16 @@ export function renderAll(root) {
       `core/include/abflat/generated/${name}.h`,
       text,
     ]),
+    ['core/include/abflat/generated/mesh_format.h', renderMeshFormat(schema)],
+    ['native/src/files/generated/file_format.h', renderFileFormat(schema)],
+    ['web/src/words/generated-formats.ts', renderPageFormats(schema)],
     ['wasm/bindings/generated/field.h', renderField(schema)],
     ['wasm/src/base/generated.ts', renderTypeScript(schema)],
     ['wasm/src/base/generated-report.ts', renderReportTypes(schema)],
     ['wasm/src/base/generated-arrays.ts', renderResultArrays(schema)],
   ]);
+  if (existsSync(join(root, MANIFEST)))
+    files.set(MANIFEST, fillManifest(readFileSync(join(root, MANIFEST), 'utf8'), schema));
   for (const path of documents(root)) {
     const text = readFileSync(join(root, path), 'utf8');
     const filled = fillRegions(text, schema, path);

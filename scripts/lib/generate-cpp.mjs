@@ -13,15 +13,15 @@ const cppType = (option) =>
   option.type === 'choice' ? pascalCase(option.name) : CPP_TYPES[option.type];
 
 /** C++ reads JSON's escapes the same way. */
-const literal = (text) => JSON.stringify(text);
+export const literal = (text) => JSON.stringify(text);
 
-function enumClass(name, comment, entries, type = 'int') {
+export function enumClass(name, comment, entries, type = 'int') {
   const lines = entries.map(([id, value, text]) => `  ${id} = ${value},  ///< ${text}`);
   return `/// ${comment}\nenum class ${name} : ${type} {\n${lines.join('\n')}\n};\n`;
 }
 
 /** Cases with the same value share one return. */
-function switchFunction(signature, type, cases, fallback) {
+export function switchFunction(signature, type, cases, fallback) {
   const labels = new Map();
   for (const [id, value] of cases) {
     labels.set(value, [...(labels.get(value) ?? []), `    case ${type}::${id}:`]);
@@ -124,13 +124,15 @@ export function renderNames({ enums }) {
   return `${[...head, ...parts, ...tail].join('\n')}\n`;
 }
 
-/** The arrays that JavaScript reads. */
+/** The arrays that JavaScript reads, and then files. */
 export function renderField({ resultArrays }) {
   const entries = resultArrays.map(({ name, text }, i) => [pascalCase(name), i, text]);
   const parts = [
     HEADER,
     'namespace abflat::bindings {\n',
     enumClass('Field', 'What JavaScript can read from a finished job.', entries),
+    '/// The file of the first MeshFormat, as a Field; those of the others follow.',
+    `constexpr int kFirstFile = ${resultArrays.length};\n`,
     '}  // namespace abflat::bindings',
   ];
   return `${parts.join('\n')}\n`;

@@ -1,5 +1,6 @@
 // Tables between <!-- generated:NAME --> and <!-- /generated --> lines of the documentation.
 
+import { PRECISIONS } from './formats.mjs';
 import { isIn, isNullable, typesOf } from './report-schema.mjs';
 import { flagOf, fullText, rangeText, withoutResearch } from './schema.mjs';
 
@@ -13,6 +14,17 @@ const TABLES = {
     table(
       ['Code', 'Exit code', 'Meaning'],
       statuses.map(({ name, exit, text }) => [`\`${name}\``, String(exit), text]),
+    ),
+  formats: ({ formats }) =>
+    table(
+      ['Format', 'What it is', 'Endings', 'Media types', 'Written with'],
+      formats.map(({ title, text, files, precision }) => [
+        title,
+        text,
+        files.map(({ ending }) => `\`${ending}\``).join(', '),
+        files.map(({ type }) => `\`${type}\``).join(', '),
+        precision ? PRECISIONS[precision] : 'only read',
+      ]),
     ),
   'flatten-options': ({ flattenOptions }) => optionTable(flattenOptions),
   'unwrap-options': ({ unwrapOptions }) => optionTable(unwrapOptions),

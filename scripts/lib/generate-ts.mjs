@@ -1,5 +1,6 @@
 // The TypeScript side of the schema.
 
+import { coreFormats, writtenFormats } from './formats.mjs';
 import {
   BOUNDS,
   fullText,
@@ -13,7 +14,7 @@ import {
 
 export const TS_HEADER = '// Generated from core/schema by scripts/generate.mjs, do not edit.\n';
 
-function literal(value) {
+export function literal(value) {
   if (typeof value !== 'string') return String(value);
   return `'${value.replace(/\\/g, '\\\\').replace(/'/g, "\\'").replace(/\n/g, '\\n')}'`;
 }
@@ -36,20 +37,6 @@ function statusParts(statuses) {
     'export type StatusName = (typeof STATUS_NAMES)[number];\n',
     '/** Exit code of the command line program and meaning of every status. */',
     `export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; readonly text: string }>> = {\n${rows.join('\n')}\n};\n`,
-  ];
-}
-
-function exitParts(exitCodes) {
-  const rows = exitCodes.map(({ name, code, text }) => {
-    return `  ${object([
-      ['code', code],
-      ['name', name],
-      ['text', text],
-    ])},`;
-  });
-  return [
-    '/** Exit codes of the command line program. */',
-    `export const EXIT_CODES = [\n${rows.join('\n')}\n] as const;\n`,
   ];
 }
 
@@ -115,23 +102,48 @@ function enumParts(enums) {
   });
 }
 
+/** The files that the module writes, in the order of the C++ enum. */
+const moduleFiles = ({ formats }) => writtenFormats(coreFormats(formats));
+
+function fileParts(schema) {
+  const files = moduleFiles(schema);
+  const rounded = ' The layout is rounded to single precision if it stays valid.';
+  const options = files.map(
+    ({ name, title, precision }) =>
+      `  /** Also return the input as ${title} with the new texcoords.${precision === 'single' ? rounded : ''} */\n  ${name}?: boolean;`,
+  );
+  const results = files.map(
+    ({ name, title, encoding }) =>
+      `  /** ${title} when asked for with \`${name}: true\`, ${encoding}. */\n  ${name}?: Uint8Array;`,
+  );
+  return [
+    `export const WRITTEN_FORMATS = [${files.map(({ name }) => literal(name)).join(', ')}] as const;\n`,
+    'export type WrittenFormat = (typeof WRITTEN_FORMATS)[number];\n',
+    `export interface FileOptions {\n${options.join('\n')}\n}\n`,
+    `export interface Files {\n${results.join('\n')}\n}\n`,
+  ];
+}
+
 export function renderTypeScript(schema) {
   const parts = [
     TS_HEADER,
     ...statusParts(schema.statuses),
-    ...exitParts(schema.exitCodes),
     ...optionSets(withoutResearch(schema)).flatMap(optionParts),
     ...enumParts(schema.enums),
+    ...fileParts(schema),
   ];
   return `${parts.join('\n').trimEnd()}\n`;
 }
 
-/** The arrays that the module returns, by name: their numbers and element types. */
-export function renderResultArrays({ resultArrays }) {
+/**
+ * What the module returns, by name: arrays, then files; their numbers and element types. What each
+ * is stays in the schema, since workers are sent with the comments of this object.
+ */
+export function renderResultArrays(schema) {
   const kinds = { number: 'Float64Array', index: 'Uint32Array', byte: 'Uint8Array' };
-  const rows = resultArrays.map(
-    ({ name, type, text }, i) =>
-      `  /** ${sentence(text)} */\n  ${name}: { field: ${i}, Kind: ${kinds[type]} },`,
+  const files = moduleFiles(schema).map(({ name }) => ({ name, type: 'byte' }));
+  const rows = [...schema.resultArrays, ...files].map(
+    ({ name, type }, i) => `  ${name}: { field: ${i}, Kind: ${kinds[type]} },`,
   );
   const comment = '/** What the module has after a call; `field` is the number of the C++ enum. */';
   return `${TS_HEADER}\n${comment}\nexport const RESULT_ARRAYS = {\n${rows.join('\n')}\n} as const;\n`;

@@ -81,7 +81,8 @@ function leading(entries, where) {
   return entries.slice(0, count);
 }
 
-function checkUnique(entries, list) {
+/** Throws if an entry of a list has no proper name, no text, or a name that another has. */
+export function checkUnique(entries, list) {
   const names = new Set();
   for (const { name, text } of entries) {
     if (!/^[A-Za-z][A-Za-z0-9]*$/.test(name)) throw new Error(`${list}: bad name "${name}"`);

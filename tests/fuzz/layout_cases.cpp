@@ -1,6 +1,7 @@
 #include "layout_cases.h"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 #include "abflat/io.h"
@@ -59,14 +60,14 @@ UnwrapCase unwrapCase(const std::uint8_t* bytes, std::size_t size) {
     addShading(out.mesh, random);
     out.options.seams.followsHardEdges = random.flag();
   }
-  out.options.rounding = static_cast<Rounding>(format);
+  out.options.precision = std::array{Precision::Double, Precision::Single, Precision::Gltf}[format];
   return out;
 }
 
 FlattenCase flattenCase(const std::uint8_t* bytes, std::size_t size) {
   RandomSource random(bytes, size);
   FlattenCase out;
-  out.rounding = random.pick({Rounding::None, Rounding::Single, Rounding::Gltf});
+  out.precision = random.pick({Precision::Double, Precision::Single, Precision::Gltf});
   const bool isPlain = random.flag();
   if (!isPlain) randomOptions(out.options, random);
   out.mesh = randomDisk(random);
@@ -87,7 +88,7 @@ std::string shown(const UnwrapCase& c) {
       << seams.followsTexcoords << ", material " << seams.followsMaterials << ", hard "
       << seams.followsHardEdges << "\n";
   for (const EdgeVertices& e : seams.edges) out << "# seam " << e[0] << " " << e[1] << "\n";
-  out << "# rounding " << static_cast<int>(c.options.rounding) << "\n";
+  out << "# precision " << static_cast<int>(c.options.precision) << "\n";
   const bool hasAll =
       std::count(c.mesh.faceTexcoords.begin(), c.mesh.faceTexcoords.end(), kNoTexcoord) == 0;
   if (!hasAll) out << "# texcoords: of some faces only, not shown\n";
@@ -101,7 +102,7 @@ std::string shown(const FlattenCase& c) {
   for (const VertexBound& b : c.options.bounds) out << "# bound " << b.vertex << " " << b.t << "\n";
   for (const Pin& p : c.options.pins)
     out << "# pin " << p.vertex << " " << p.uv[0] << " " << p.uv[1] << "\n";
-  out << "# rounding " << static_cast<int>(c.rounding) << "\n";
+  out << "# precision " << static_cast<int>(c.precision) << "\n";
   return out.str() + writeObj(c.mesh, {}, {});
 }
 

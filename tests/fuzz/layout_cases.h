@@ -18,7 +18,7 @@ UnwrapCase unwrapCase(const std::uint8_t* bytes, std::size_t size);
 struct FlattenCase {
   PolygonMesh mesh;
   FlattenOptions options;
-  Rounding rounding = Rounding::None;
+  Precision precision = Precision::Double;
 };
 FlattenCase flattenCase(const std::uint8_t* bytes, std::size_t size);
 

@@ -19,6 +19,8 @@ import { fileURLToPath } from 'node:url';
 const REPO = fileURLToPath(new URL('../..', import.meta.url));
 const SCHEMA = 'core/schema/abflat.json';
 const REPORT_SCHEMA = 'core/schema/report.json';
+const FORMATS = 'core/schema/formats.json';
+const MANIFEST = 'web/public/manifest.webmanifest';
 const OUTPUTS = [
   'core/include/abflat/generated/status_code.h',
   'core/include/abflat/generated/flatten_options.h',
@@ -29,6 +31,9 @@ const OUTPUTS = [
   'wasm/bindings/generated/field.h',
   'wasm/src/base/generated-report.ts',
   'wasm/src/base/generated-arrays.ts',
+  'core/include/abflat/generated/mesh_format.h',
+  'native/src/files/generated/file_format.h',
+  'web/src/words/generated-formats.ts',
 ];
 
 function generate(root, ...args) {
@@ -280,9 +285,79 @@ describe('in a copy', () => {
     assert.match(read(OUTPUTS[2]), /export type UnwrapStage = .*'polish';/);
     assert.doesNotMatch(read(OUTPUTS[2]), /export type FlattenStage = .*'polish';/);
     assert.match(read(OUTPUTS[5]), /struct UnwrapStages \{[^}]*double polish = 0;/);
-    assert.match(read(OUTPUTS[6]), /Normals = 11,/);
-    assert.match(read(OUTPUTS[8]), /normals: \{ field: 11, Kind: Float64Array \},/);
+    assert.match(read(OUTPUTS[6]), /Normals = 9,.*kFirstFile = 10;/s);
+    assert.match(read(OUTPUTS[8]), /normals: \{ field: 9, Kind: Float64Array \},/);
+    assert.match(read(OUTPUTS[8]), /obj: \{ field: 10, Kind: Uint8Array \},/);
   });
+
+  const NEW_FORMAT = {
+    name: 'three',
+    title: '3MF',
+    text: 'a zipped package',
+    precision: 'single',
+    encoding: 'zipped',
+    files: [{ ending: '.3mf', type: 'model/3mf' }],
+  };
+
+  test('a format reaches the core, the program, the package, the page and the documents', () => {
+    fresh();
+    write('README.md', '<!-- generated:formats -->\n<!-- /generated -->\n');
+    mkdirSync(join(copy, 'web/public'), { recursive: true });
+    cpSync(join(REPO, MANIFEST), join(copy, MANIFEST));
+    changeSchema(({ formats }) => formats.splice(2, 0, NEW_FORMAT), FORMATS);
+    assert.equal(generate(copy).status, 0);
+    const [core, program, page] = OUTPUTS.slice(-3).map(read);
+    assert.match(
+      core,
+      /Three = 2,.*ABFLAT_MESH_FORMATS "OBJ, PLY, 3MF, STL or OFF".*"\.3mf", MeshF/s,
+    );
+    assert.match(core, /case MeshFormat::Three:\n {6}return Precision::Single;/);
+    assert.match(program, /Three = 2,.*return "3MF";.*\{"\.3mf", FileFormat::Three\}/s);
+    assert.match(program, /kWrittenEndings = "\.obj, \.ply, \.3mf, \.glb or \.gltf"/);
+    assert.match(
+      read(OUTPUTS[2]),
+      /WRITTEN_FORMATS = \['obj', 'ply', 'three'\].*three\?: boolean;/s,
+    );
+    assert.match(read(OUTPUTS[8]), /three: \{ field: 11, Kind: Uint8Array \}/);
+    assert.match(page, /EXPORT_FORMATS = \['obj', 'ply', '3mf', 'glb'\]/);
+    assert.match(page, /ending: '\.3mf', title: '3MF', type: 'model\/3mf', format: 'three'/);
+    assert.deepEqual(JSON.parse(read(MANIFEST)).file_handlers[0].accept['model/3mf'], ['.3mf']);
+    assert.match(
+      read('README.md'),
+      /\| 3MF \| a zipped package \| `\.3mf` \| `model\/3mf` \| texcoords in single/,
+    );
+  });
+
+  test('check fails where the manifest names other files than the formats', () => {
+    fresh();
+    mkdirSync(join(copy, 'web/public'), { recursive: true });
+    write(MANIFEST, readFileSync(join(REPO, MANIFEST), 'utf8').replace('".off"', '".of"'));
+    const { status, stderr } = generate(copy, '--check');
+    assert.equal(status, 1);
+    assert.match(stderr, /^web\/public\/manifest\.webmanifest does not match/m);
+  });
+
+  for (const [fault, change, message] of [
+    [
+      'with the ending of another',
+      { files: [{ ending: '.obj', type: 'a/b' }] },
+      /\.obj is listed twice/,
+    ],
+    ['with an ending in capitals', { files: [{ ending: '.OBJ', type: 'a/b' }] }, /bad ending/],
+    ['without files', { files: [] }, /format three: it has no files/],
+    ['without a type', { files: [{ ending: '.x' }] }, /bad type "undefined" of \.x/],
+    ['of unknown precision', { precision: 'half' }, /unknown precision "half"/],
+    ['that is written in an unknown encoding', { encoding: undefined }, /it has no encoding/],
+    ['that is only read, before one that is written', { precision: undefined }, /ply is too late/],
+  ]) {
+    test(`a format ${fault} is an error`, () => {
+      fresh();
+      changeSchema(({ formats }) => formats.splice(1, 0, { ...NEW_FORMAT, ...change }), FORMATS);
+      const { status, stderr } = generate(copy);
+      assert.notEqual(status, 0);
+      assert.match(stderr, message);
+    });
+  }
 
   for (const [fault, field, message] of [
     [

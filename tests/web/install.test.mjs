@@ -36,9 +36,9 @@ test('icons have the sizes that the manifest says', () => {
   for (const { src, sizes } of pictures) assert.equal(sizesOf(join(PUBLIC, src)), sizes, src);
 });
 
-test('the system opens the meshes that the page opens', () => {
-  const html = readFileSync(join(ROOT, 'web/index.html'), 'utf8');
-  const accepted = html.match(/id="file" accept="([^"]+)"/)[1].split(',');
+test('the system opens the meshes that the page opens', async (t) => {
+  const page = await openPage(t);
+  const accepted = (await page.getAttribute('#file', 'accept')).split(',');
   const notMeshes = ['.bin', '.mtl', '.png', '.jpg', '.jpeg', '.webp'];
   assert.deepEqual(
     endings.toSorted(),

@@ -12,9 +12,11 @@
 #include "abflat/samples.h"
 #include "job.h"
 
+using abflat::Precision;
 using abflat::StatusCode;
 using abflat::bindings::Field;
 using abflat::bindings::Job;
+using abflat::bindings::kFirstFile;
 
 // clang-format off
 EM_JS(void, abflatReportProgress, (const char* stage, int newtonStep, double residual, double fraction), {
@@ -177,11 +179,6 @@ EMSCRIPTEN_KEEPALIVE void abflatKnownOptions(Job* job, double t, double balance,
   job->unwrapOptions.reuse.known.straightSeams = straightSeams;
 }
 
-/// Rounds texcoords to what a glTF can hold.
-EMSCRIPTEN_KEEPALIVE void abflatRoundsForGltf(Job* job) {
-  job->unwrapOptions.rounding = Rounding::Gltf;
-}
-
 /// Moves and scales a flattened mesh into the unit square.
 EMSCRIPTEN_KEEPALIVE void abflatNormalizes(Job* job) { job->normalizes = true; }
 
@@ -201,12 +198,17 @@ EMSCRIPTEN_KEEPALIVE void abflatAddPin(Job* job, std::uint32_t vertex, double u,
   job->unwrapOptions.pins.push_back(pin);
 }
 
-EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, int wantsObj, int wantsPly) {
-  return finish(*job, flattenJob(*job, {wantsObj != 0, wantsPly != 0}, reportProgress));
+/// `files` has a bit for each Field that is a file to write; `roundsForGltf` rounds texcoords to
+/// what a glTF can hold.
+EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, unsigned files, bool roundsForGltf) {
+  job->unwrapOptions.precision = roundsForGltf ? Precision::Gltf : Precision::Double;
+  return finish(*job, flattenJob(*job, files >> kFirstFile, reportProgress));
 }
 
-EMSCRIPTEN_KEEPALIVE int abflatUnwrap(Job* job, int wantsObj, int wantsPly) {
-  return finish(*job, unwrapJob(*job, {wantsObj != 0, wantsPly != 0}, reportProgress));
+/// The same for unwrapping.
+EMSCRIPTEN_KEEPALIVE int abflatUnwrap(Job* job, unsigned files, bool roundsForGltf) {
+  job->unwrapOptions.precision = roundsForGltf ? Precision::Gltf : Precision::Double;
+  return finish(*job, unwrapJob(*job, files >> kFirstFile, reportProgress));
 }
 
 EMSCRIPTEN_KEEPALIVE int abflatCompare(Job* job) {

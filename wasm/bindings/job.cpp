@@ -52,10 +52,6 @@ Bytes resultOf(const Job& job, Field field) {
       return bytesOf(job.layout.vertexMap);
     case Field::Positions:
       return bytesOf(job.layout.positions);
-    case Field::Obj:
-      return bytesOf(job.obj);
-    case Field::Ply:
-      return bytesOf(job.ply);
     case Field::Text:
       return bytesOf(job.text);
     case Field::ChartOfTriangle:
@@ -67,7 +63,7 @@ Bytes resultOf(const Job& job, Field field) {
     case Field::Faces:
       return bytesOf(job.layout.faces);
   }
-  return {};
+  return bytesOf(job.files[static_cast<int>(field) - kFirstFile]);
 }
 
 Bytes methodUvOf(const Job& job, std::size_t method) { return bytesOf(job.methods[method].uv); }
@@ -124,6 +120,29 @@ const std::vector<std::uint32_t>& turnedFaces(const UnwrapResult& result) {
   return result.report.repair.turnedFaces;
 }
 
+/// The bit of a format.
+constexpr WantedFiles fileOf(MeshFormat format) { return 1u << static_cast<int>(format); }
+
+constexpr WantedFiles filesOfSinglePrecision() {
+  WantedFiles out = 0;
+  for (int i = 0; i < kWrittenFormatCount; ++i)
+    if (precisionOf(static_cast<MeshFormat>(i)) == Precision::Single) out |= 1u << i;
+  return out;
+}
+constexpr WantedFiles kSingle = filesOfSinglePrecision();
+
+/// A file is written using the text of its source around the new texcoords.
+void writeFiles(Job& job, WantedFiles wanted, const std::vector<double>& uv,
+                const std::vector<std::uint32_t>& cornerUv,
+                const std::vector<std::uint32_t>& turned) {
+  for (int i = 0; i < kWrittenFormatCount; ++i) {
+    const auto format = static_cast<MeshFormat>(i);
+    if ((wanted & fileOf(format)) == 0) continue;
+    const std::string_view source = format == job.format ? job.source : std::string_view();
+    job.files[i] = writeMesh(format, job.mesh, uv, cornerUv, source, turned);
+  }
+}
+
 /// One run from the input to the arrays, files and report of a layout. `compute()` returns a result
 /// whose texcoords are ready to be written; `arrays(result)` may then take what is no longer
 /// needed.
@@ -135,20 +154,14 @@ Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
   if (Status s = readInput(job); !s.ok()) return s;
   const double read = secondsSince(started);
 
-  // A file is written using the text of its source around the new texcoords.
-  const bool isObj = job.format == MeshFormat::Obj && wanted.obj;
-  const bool isPly = job.format == MeshFormat::Ply && wanted.ply;
-  if (!isObj && !isPly) std::string().swap(job.source);
+  if ((wanted & fileOf(job.format)) == 0) std::string().swap(job.source);
   auto computed = compute();
   if (!computed.ok()) return computed.status;
   auto& result = computed.value;
 
   progress({Stage::Write, 0, 0, 0.98});
   const Clock::time_point writing = Clock::now();
-  const auto source = [&](bool isKept) { return isKept ? job.source : std::string_view(); };
-  if (wanted.obj)
-    job.obj = writeObj(job.mesh, result.uv, result.cornerUv, source(isObj), turnedFaces(result));
-  if (wanted.ply) job.ply = writePly(job.mesh, result.uv, result.cornerUv, source(isPly));
+  writeFiles(job, wanted, result.uv, result.cornerUv, turnedFaces(result));
   result.report.path = job.name;
   result.report.timings.read = read;
   arrays(result);
@@ -168,9 +181,9 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
     Result<FlattenResult> flat = flatten(job.mesh, job.options);
     if (!flat.ok()) return flat;
     if (job.normalizes) fitUnitSquare(job.mesh, flat.value);
-    if (job.unwrapOptions.rounding == Rounding::Gltf)
+    if (job.unwrapOptions.precision == Precision::Gltf)
       roundForGltf(job.mesh, flat.value);
-    else if (wanted.ply)
+    else if (wanted & kSingle)
       roundToSinglePrecision(job.mesh, flat.value);
     return flat;
   };
@@ -205,8 +218,9 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
   seams.value.edges = std::move(job.unwrapOptions.seams.edges);
   job.unwrapOptions.seams = std::move(seams.value);
   job.unwrapOptions.progress = progress;
-  if (job.unwrapOptions.rounding != Rounding::Gltf)
-    job.unwrapOptions.rounding = wanted.ply || !wanted.obj ? Rounding::Single : Rounding::None;
+  if (job.unwrapOptions.precision != Precision::Gltf)
+    job.unwrapOptions.precision =
+        wanted == 0 || (wanted & kSingle) ? Precision::Single : Precision::Double;
   const auto compute = [&] { return unwrapMesh(job); };
   const auto arrays = [&](UnwrapResult& atlas) {
     job.layout.uv = gather(atlas.uv, 2, atlas.vertexUv);

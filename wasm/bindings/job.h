@@ -42,9 +42,9 @@ struct Job {
   bool keepsUv = false;     ///< all faces with texcoords are fixed, besides those in unwrapOptions
   bool normalizes = false;  ///< a flattened mesh is moved and scaled into the unit square
   LayoutArrays layout;
-  std::vector<MethodResult> methods;  ///< of a comparison
-  std::string obj, ply;               ///< files, if asked for
-  std::string text;                   ///< JSON on success, otherwise the error message
+  std::vector<MethodResult> methods;       ///< of a comparison
+  std::string files[kWrittenFormatCount];  ///< by format, if asked for
+  std::string text;                        ///< JSON on success, otherwise the error message
 };
 
 struct Bytes {
@@ -64,10 +64,8 @@ void* knownRoom(Job& job, Field field, std::size_t size);
 /// Parses the file, or checks the arrays. Errors: those of detectFormat, readMesh, validateArrays.
 Status readInput(Job& job);
 
-/// Files to write besides the arrays of a layout.
-struct WantedFiles {
-  bool obj = false, ply = false;
-};
+/// Files to write besides the arrays of a layout: a bit for each MeshFormat.
+using WantedFiles = unsigned;
 
 /// Fills everything that resultOf() returns for a layout, normalized and rounded as the job says.
 /// `progress` as in FlattenOptions, plus the stages Read and Write.
@@ -75,8 +73,8 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
 
 /// The same for unwrapping; `progress` as in UnwrapOptions. Texcoords are rounded to what a glTF
 /// holds if the options say so. Otherwise they are rounded to single precision, which is what
-/// graphics cards and PLY hold, unless only OBJ is wanted, which is then written exactly as the
-/// program writes it.
+/// graphics cards and PLY hold, unless only files of double precision are wanted, which are then
+/// written exactly as the program writes them.
 Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
 /// Fills everything that resultOf() returns except uv, and job.methods. `progress` as in

@@ -22,14 +22,13 @@ export interface NativeModule {
   _abflatFaceDensities(job: number, count: number): number;
   _abflatKeepsPlaces(job: number): void;
   _abflatKnown(job: number, field: number, count: number): number;
-  _abflatRoundsForGltf(job: number): void;
   _abflatNormalizes(job: number): void;
   _abflatKnownOptions(job: number, t: number, balance: number, straightSeams: boolean): void;
   _abflatAddBound(job: number, vertex: number, t: number): void;
   _abflatAddStraight(job: number, from: number, to: number): void;
   _abflatAddPin(job: number, vertex: number, u: number, v: number, face: number): void;
-  _abflatFlatten(job: number, wantsObj: number, wantsPly: number): number;
-  _abflatUnwrap(job: number, wantsObj: number, wantsPly: number): number;
+  _abflatFlatten(job: number, files: number, roundsForGltf: boolean): number;
+  _abflatUnwrap(job: number, files: number, roundsForGltf: boolean): number;
   _abflatCompare(job: number): number;
   _abflatPinWeights(job: number): number;
   _abflatInspect(job: number): number;

@@ -1,7 +1,7 @@
 import { buildOf } from './base/build-of.js';
 import { type Build, bestBuild, whyNoThreads } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
-import { STATUS_NAMES } from './base/generated.js';
+import { STATUS_NAMES, WRITTEN_FORMATS } from './base/generated.js';
 import { MAX_MEMORY } from './base/memory.js';
 import { Client } from './client.js';
 import { ownFields } from './messages/fields.js';
@@ -186,13 +186,13 @@ function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<
 function layout<T extends FlattenResult | UnwrapResult>(
   client: Client,
   mesh: MeshInput,
-  { pins, obj, ply, roundsForGltf, transfer, signal, onProgress }: FlattenOptions | UnwrapOptions,
+  options: FlattenOptions | UnwrapOptions,
   request: (common: LayoutRequest) => Request,
   buffers: ArrayBuffer[] = [],
 ): Promise<T> {
+  const { pins, roundsForGltf, transfer, signal, onProgress } = options;
   const pinned = pinNumbers(pins);
-  checkBoolean('obj', obj);
-  checkBoolean('ply', ply);
+  for (const name of WRITTEN_FORMATS) checkBoolean(name, options[name]);
   checkBoolean('roundsForGltf', roundsForGltf);
   checkFunction('onProgress', onProgress);
   checkSignal(signal);
@@ -201,8 +201,7 @@ function layout<T extends FlattenResult | UnwrapResult>(
   const common: LayoutRequest = {
     mesh: owned.mesh,
     pins: pinned,
-    wantsObj: obj === true,
-    wantsPly: ply === true,
+    files: WRITTEN_FORMATS.filter((name) => options[name]),
     wantsProgress: onProgress !== undefined,
     roundsForGltf: roundsForGltf === true,
   };

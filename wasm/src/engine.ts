@@ -5,6 +5,7 @@ import { buildOf } from './base/build-of.js';
 import type { Build } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
 import { STATUS_NAMES } from './base/generated.js';
+import { RESULT_ARRAYS } from './base/generated-arrays.js';
 import { MIN_MEMORY, megabytes, PAGE } from './base/memory.js';
 import type { Glues } from './glue.js';
 import { Heap, OutOfMemory, readString } from './heap.js';
@@ -39,7 +40,7 @@ interface Hooks {
 /** What differs between the calls that return a layout. */
 interface LayoutSteps<R, T> {
   set(job: number, native: NativeModule): void;
-  run(job: number, wantsObj: number, wantsPly: number): number;
+  run(job: number, files: number, roundsForGltf: boolean): number;
   complete(layout: Layout<R>, job: number): T;
 }
 
@@ -193,7 +194,7 @@ export class Engine {
   }
 
   #withLayout<R extends { timings: LayoutTimings }, T extends Layout<R>>(
-    { mesh, pins, wantsObj, wantsPly, roundsForGltf }: LayoutRequest,
+    { mesh, pins, files, roundsForGltf }: LayoutRequest,
     { set, run, complete }: LayoutSteps<R, T>,
   ): T {
     const started = performance.now();
@@ -201,9 +202,9 @@ export class Engine {
       this.#heap.writeMesh(job, mesh);
       const written = performance.now();
       set(job, this.#native);
-      if (roundsForGltf) this.#native._abflatRoundsForGltf(job);
       for (const [vertex, u, v, face] of pins) this.#native._abflatAddPin(job, vertex, u, v, face);
-      this.#check(job, run(job, Number(wantsObj), Number(wantsPly)));
+      const wanted = files.reduce((bits, name) => bits | (1 << RESULT_ARRAYS[name].field), 0);
+      this.#check(job, run(job, wanted, roundsForGltf));
       const finished = performance.now();
       const layout: Layout<R> = {
         uv: this.#heap.read(job, 'uv'),
@@ -212,8 +213,7 @@ export class Engine {
         report: JSON.parse(this.#heap.readText(job)) as R,
       };
       if ('bytes' in mesh) layout.positions = this.#heap.read(job, 'positions');
-      if (wantsObj) layout.obj = this.#heap.read(job, 'obj');
-      if (wantsPly) layout.ply = this.#heap.read(job, 'ply');
+      for (const name of files) layout[name] = this.#heap.read(job, name);
       const result = complete(layout, job);
       const { timings } = result.report;
       const now = performance.now();

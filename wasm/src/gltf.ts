@@ -2,6 +2,7 @@
 
 import type { Document, Mesh, Primitive, Transform } from '@gltf-transform/core';
 import { AbflatError } from './base/errors.js';
+import type { WrittenFormat } from './base/generated.js';
 import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
 import { giveOwnMeshes } from './gltf/own-meshes.js';
 import { setTexcoords } from './gltf/texcoords.js';
@@ -32,7 +33,7 @@ export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
 
 /** The options of `unwrap`, which apply to every atlas, and these. */
 export interface UnwrapDocumentOptions
-  extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply' | 'seamEdges' | 'roundsForGltf'> {
+  extends Omit<UnwrapOptions, 'transfer' | WrittenFormat | 'seamEdges' | 'roundsForGltf'> {
   /**
    * The new coordinates become TEXCOORD_`texcoord`. `auto`: the result of `freeTexcoord`, which is
    * 0 if no texture samples that set, otherwise the first unused set. Default: 0, and

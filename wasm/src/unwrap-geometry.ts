@@ -8,6 +8,7 @@ import {
   type InterleavedBufferAttribute,
 } from 'three';
 import { AbflatError } from './base/errors.js';
+import type { WrittenFormat } from './base/generated.js';
 import { indexArray, pickRows } from './base/rows.js';
 import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkMemory, checkString, optionsOf } from './messages/validate.js';
@@ -19,7 +20,7 @@ type Attribute = BufferAttribute | InterleavedBufferAttribute;
  * The options of `unwrap`, without `transfer`, as a geometry keeps its buffers, and without the
  * file formats.
  */
-export interface UnwrapGeometryOptions extends Omit<UnwrapOptions, 'transfer' | 'obj' | 'ply'> {
+export interface UnwrapGeometryOptions extends Omit<UnwrapOptions, 'transfer' | WrittenFormat> {
   /** Name of the attribute for the new coordinates. Default: `uv`; `uv1` leaves `uv` as it is, for light maps. */
   attribute?: string;
 }

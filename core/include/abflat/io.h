@@ -4,15 +4,14 @@
 #include <string_view>
 #include <vector>
 
+#include "abflat/generated/mesh_format.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
 
 namespace abflat {
 
-enum class MeshFormat { Obj, Off, Ply, Stl };
-
-/// Detects the format by the extension of a file name (".obj", ".off", ".ply", ".stl", any case),
-/// or by the first bytes if the extension is unknown. Errors: UnreadableFile when neither tells.
+/// Detects the format by the extension of a file name (see kMeshEndings, any case), or by the first
+/// bytes if the extension is unknown. Errors: UnreadableFile when neither tells.
 Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes);
 
 /// Parses a whole file. STL has no connectivity: corners at identical coordinates become one
@@ -39,5 +38,11 @@ std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
 /// otherwise the file is binary.
 std::string writePly(const PolygonMesh& mesh, const std::vector<double>& uv,
                      const std::vector<std::uint32_t>& cornerUv, std::string_view sourcePly = {});
+
+/// A file of any format that has a precision; empty for one that is only read. Arguments as for
+/// writeObj; `source` is a file of the same format.
+std::string writeMesh(MeshFormat format, const PolygonMesh& mesh, const std::vector<double>& uv,
+                      const std::vector<std::uint32_t>& cornerUv, std::string_view source = {},
+                      const std::vector<std::uint32_t>& turnedFaces = {});
 
 }  // namespace abflat

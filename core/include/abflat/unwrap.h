@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "abflat/generated/mesh_format.h"
 #include "abflat/generated/unwrap_options.h"
 #include "abflat/generated/unwrap_report.h"
 #include "abflat/mesh.h"
@@ -46,17 +47,6 @@ struct ReuseOptions {
   bool keepsValidOnly = false;
 };
 
-/// To what texcoords are rounded before they are checked.
-enum class Rounding : std::uint8_t {
-  None,
-  /// To single precision, since files and graphics cards hold them so; 1 - v is then exact in
-  /// single precision as well. Skipped if it would make a chart invalid.
-  Single,
-  /// To what a glTF holds, even if that makes charts invalid: single precision, with v from the
-  /// top.
-  Gltf
-};
-
 struct UnwrapOptions : UnwrapOptionValues {
   SeamSources seams;
   /// Positions in the atlas. Each chart has either no pins or at least two, as in FlattenOptions. A
@@ -67,7 +57,10 @@ struct UnwrapOptions : UnwrapOptionValues {
   /// 1000; empty: 1 each. A chart has as many texels as its faces ask for together. Charts that are
   /// fixed, pinned or stay in their places are left as they are.
   std::vector<double> faceDensities;
-  Rounding rounding = Rounding::None;
+  /// To what texcoords are rounded before they are checked. Single precision, which graphics cards
+  /// hold, is skipped if it would make a chart invalid; 1 - v is exact in it as well. What a glTF
+  /// holds is not skipped.
+  Precision precision = Precision::Double;
 
   /// Newton steps are not reported.
   ProgressCallback progress;

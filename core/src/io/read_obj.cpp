@@ -284,4 +284,12 @@ Result<PolygonMesh> readObj(std::string_view bytes, std::string_view fileName) {
   return ObjReader(fileName).run(bytes);
 }
 
+bool looksLikeObj(std::string_view bytes) {
+  ObjLines lines(bytes.substr(0, 1 << 16));
+  ObjLine line;
+  while (lines.next(line))
+    if (line.kind != ObjLine::Kind::Other && !line.arguments.empty()) return true;
+  return false;
+}
+
 }  // namespace abflat

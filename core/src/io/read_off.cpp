@@ -183,4 +183,18 @@ Result<PolygonMesh> readOff(std::string_view bytes, std::string_view fileName) {
   return OffReader(bytes, fileName).run();
 }
 
+bool looksLikeOff(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const std::string_view line = bytes.substr(0, lineSize(bytes));
+    const std::size_t begin = line.find_first_not_of(" \t\r\n");
+    if (begin != std::string_view::npos && line[begin] != '#') {
+      const std::size_t end = line.find_first_of(" \t\r\n", begin);
+      const std::string_view word = line.substr(begin, end - begin);
+      return word.size() >= 3 && word.substr(word.size() - 3) == "OFF";
+    }
+    bytes.remove_prefix(line.size());
+  }
+  return false;
+}
+
 }  // namespace abflat

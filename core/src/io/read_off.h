@@ -10,4 +10,7 @@ namespace abflat {
 /// are skipped.
 Result<PolygonMesh> readOff(std::string_view bytes, std::string_view fileName);
 
+/// Whether the first line that is not empty or a comment belongs to an OFF header.
+bool looksLikeOff(std::string_view bytes);
+
 }  // namespace abflat

@@ -17,4 +17,6 @@ Result<PolygonMesh> readPlyText(const PlyHeader& header, std::string_view bytes,
 Result<PolygonMesh> readPlyBinary(const PlyHeader& header, std::string_view bytes,
                                   std::string_view fileName);
 
+bool looksLikePly(std::string_view bytes);
+
 }  // namespace abflat

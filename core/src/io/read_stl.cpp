@@ -32,6 +32,7 @@ PolygonMesh meshOf(VertexTable& table, std::vector<std::uint32_t> corners) {
   mesh.faceOffsets.reserve(mesh.faceVertices.size() / 3 + 1);
   for (std::size_t c = 0; c <= mesh.faceVertices.size(); c += 3)
     mesh.faceOffsets.push_back(static_cast<std::uint32_t>(c));
+  mesh.isZUp = true;  // as in CAD programs and printers, which use STL
   return mesh;
 }
 

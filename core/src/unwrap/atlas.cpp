@@ -170,7 +170,7 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
 std::vector<std::string> checkAll(const PackedCharts& packed, const UnwrapOptions& options,
                                   AtlasReport& atlas) {
   std::vector<std::string> notes;
-  const bool isSingle = options.rounding == Rounding::Single;
+  const bool isSingle = options.precision == Precision::Single;
   const bool isFine = atlas.tiles <= kMostTilesInSingle;
   if (isSingle && !isFine)
     notes.push_back("texcoords are in double precision: single precision is too coarse for " +
@@ -183,7 +183,7 @@ std::vector<std::string> checkAll(const PackedCharts& packed, const UnwrapOption
     notes.push_back("texcoords are in double precision: rounding to single would make " +
                     std::to_string(lost) + (lost == 1 ? " chart" : " charts") + " invalid");
   }
-  const Numbers numbers = options.rounding == Rounding::Gltf ? Numbers::Gltf : Numbers::Double;
+  const Numbers numbers = options.precision == Precision::Gltf ? Numbers::Gltf : Numbers::Double;
   fitAll(packed, options, numbers, atlas);
   for (std::string& note : fittingNotes(packed.charts.flat, numbers))
     notes.push_back(std::move(note));

@@ -224,9 +224,10 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
   monitor.tellAgain();
   cut.charts.set = ChartSet();
   surface = Surface();
-  certify(input, welded, options.rounding == Rounding::Gltf ? Numbers::Gltf : Numbers::Double, out);
+  certify(input, welded, options.precision == Precision::Gltf ? Numbers::Gltf : Numbers::Double,
+          out);
   stacks.check(report);
-  if (options.rounding != Rounding::Gltf)
+  if (options.precision != Precision::Gltf)
     if (std::string note = foldedFansNote(input, out); !note.empty())
       report.notes.push_back(std::move(note));
   if (!stages.end()) return aborted();

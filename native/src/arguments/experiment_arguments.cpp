@@ -2,6 +2,7 @@
 
 #include "arguments/options.h"
 #include "arguments/subcommands.h"
+#include "files/file_format.h"
 
 namespace abflat::cli {
 namespace {
@@ -90,9 +91,9 @@ CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c) {
   CLI::App* sub = app.add_subcommand(
       "reproduce", "Repeat the experiments of the paper: tables, convergence, figures");
   sub->group("Commands");
-  sub->add_option(
-         "--meshes", c.meshes,
-         wrapped("folder of OBJ, PLY, STL and OFF files to use as well as the generated models"))
+  sub->add_option("--meshes", c.meshes,
+                  wrapped(std::string("folder of ") + kCoreTitles +
+                          " files to use as well as the generated models"))
       ->check(notEmpty())
       ->type_name("DIR");
   sub->add_option("-o,--out", c.out, wrapped("folder to write to; created if missing"))

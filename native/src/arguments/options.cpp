@@ -6,7 +6,7 @@
 
 #include "abflat/generated/status_code.h"
 #include "arguments/arguments.h"
-#include "files/mesh_format.h"
+#include "files/file_format.h"
 #include "files/paths.h"
 
 namespace abflat::cli {
@@ -34,7 +34,7 @@ CLI::Validator resultName() {
   return CLI::Validator(
       [](const std::string& text) -> std::string {
         if (isWritableName(text)) return "";
-        return "cannot write " + endingOf(text) + " files. Use .obj, .ply, .glb or .gltf";
+        return "cannot write " + endingOf(text) + " files. Use " + kWrittenEndings;
       },
       "");
 }
@@ -96,16 +96,17 @@ CLI::Validator notEmpty() {
 }
 
 void addInput(CLI::App& app, std::string& input) {
-  app.add_option("IN", input, "mesh to read: OBJ, PLY, STL, OFF or glTF; - reads standard input")
+  app.add_option("IN", input,
+                 std::string("mesh to read: ") + kFormatTitles + "; - reads standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");
 }
 
 void addOutput(CLI::App& app, std::string& output) {
-  app.add_option(
-         "-o,--output", output,
-         wrapped("file to write: .obj, .ply, .glb or .gltf; - writes OBJ to standard output"))
+  app.add_option("-o,--output", output,
+                 wrapped(std::string("file to write: ") + kWrittenEndings + "; - writes " +
+                         titleOf(kUnnamedFormat) + " to standard output"))
       ->required()
       ->check(notEmpty())
       ->check(resultName())

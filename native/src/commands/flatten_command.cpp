@@ -48,9 +48,9 @@ struct FlattenJob {
     Result<FlattenResult> result =
         placed(inputName(command.input), [&] { return flatten(mesh, options); });
     if (!result.ok()) return result;
-    const FileFormat format = writtenFormat(command.output);
-    if (format == FileFormat::Ply) roundToSinglePrecision(mesh, result.value);
-    if (format == FileFormat::Gltf) roundForGltf(mesh, result.value);
+    const Precision precision = precisionOf(writtenFormat(command.output));
+    if (precision == Precision::Single) roundToSinglePrecision(mesh, result.value);
+    if (precision == Precision::Gltf) roundForGltf(mesh, result.value);
     return result;
   }
 

@@ -11,7 +11,7 @@
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "files/input_file.h"
-#include "files/mesh_format.h"
+#include "files/layout_text.h"
 #include "files/out_of_memory.h"
 #include "files/output_file.h"
 #include "files/paths.h"
@@ -119,8 +119,8 @@ class MeshRun {
     if (input_.format != written && command_.output != kStandardStream &&
         isSameTarget(command_.input, command_.output))
       return Status{StatusCode::InvalidOption,
-                    name + ": the result is " + formatName(written) + " and would replace this " +
-                        formatName(input_.format) + " file. Give --output another name"};
+                    name + ": the result is " + titleOf(written) + " and would replace this " +
+                        titleOf(input_.format) + " file. Give --output another name"};
     return Job::compute(command_, input_.mesh, [this](const Progress& p) {
       progress_.show(p);
       return true;

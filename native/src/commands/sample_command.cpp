@@ -1,7 +1,7 @@
 #include "abflat/io.h"
 #include "abflat/samples.h"
 #include "commands/commands.h"
-#include "files/mesh_format.h"
+#include "files/layout_text.h"
 #include "files/out_of_memory.h"
 #include "files/output_file.h"
 #include "terminal/terminal.h"

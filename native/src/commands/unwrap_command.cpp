@@ -26,11 +26,6 @@ struct UnwrapJob {
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
   }
 
-  static Rounding roundingFor(FileFormat format) {
-    if (format == FileFormat::Gltf) return Rounding::Gltf;
-    return format == FileFormat::Ply ? Rounding::Single : Rounding::None;
-  }
-
   static Result<UnwrapResult> compute(const UnwrapCommand& command, const PolygonMesh& mesh,
                                       ProgressCallback progress) {
     UnwrapOptions options;
@@ -50,7 +45,7 @@ struct UnwrapJob {
       if (!pins.ok()) return pins.status;
       options.pins = std::move(pins.value);
     }
-    options.rounding = roundingFor(writtenFormat(command.output));
+    options.precision = precisionOf(writtenFormat(command.output));
     options.progress = std::move(progress);
     const double afterReading = peakMemory();
     Result<UnwrapResult> result =

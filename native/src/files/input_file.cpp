@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "files/file_format.h"
 #include "files/out_of_memory.h"
 #include "files/paths.h"
 #include "files/read_file.h"
@@ -10,34 +11,10 @@
 namespace abflat::cli {
 namespace {
 
-FileFormat fileFormat(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::Obj:
-      return FileFormat::Obj;
-    case MeshFormat::Off:
-      return FileFormat::Off;
-    case MeshFormat::Ply:
-      return FileFormat::Ply;
-    case MeshFormat::Stl:
-      return FileFormat::Stl;
-  }
-  return FileFormat::Obj;
-}
-
-/// The format of a file that is not a glTF.
-MeshFormat meshFormat(FileFormat format) {
-  for (const MeshFormat known :
-       {MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply, MeshFormat::Stl})
-    if (fileFormat(known) == format) return known;
-  return MeshFormat::Obj;
-}
-
 /// Decided by the extension, or by the first bytes if that tells nothing.
 bool isGltf(const std::string& path, std::string_view bytes) {
-  const std::string ending = endingOf(path);
-  if (ending == ".glb" || ending == ".gltf") return true;
-  const bool isOther = ending == ".obj" || ending == ".ply" || ending == ".stl" || ending == ".off";
-  return !isOther && looksLikeGltf(bytes);
+  const std::optional<FileFormat> named = namedFormat(path);
+  return named ? *named == FileFormat::Gltf : looksLikeGltf(bytes);
 }
 
 Status readGltfInput(const std::string& path, const GltfReadOptions& options, InputMesh& input) {
@@ -63,9 +40,8 @@ Status readMeshInput(const std::string& path, InputMesh& input) {
   const std::string name = inputName(path);
   const Result<MeshFormat> format = detectFormat(name, input.bytes);
   if (!format.ok() && input.bytes.empty()) return format.status;
-  if (!format.ok())
-    return {format.status.code, name + " is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB"};
-  input.format = fileFormat(format.value);
+  if (!format.ok()) return {format.status.code, name + " is not supported. Use " + kFormatNames};
+  input.format = static_cast<FileFormat>(format.value);
   Result<PolygonMesh> mesh = readMesh(input.bytes, format.value, name);
   input.mesh = std::move(mesh.value);
   return mesh.status;
@@ -90,9 +66,8 @@ Result<InputMesh> readInput(const std::string& path, const ReadOptions& options)
 }
 
 void readLook(InputMesh& input) {
-  if (!input.gltf)
-    input.look =
-        readAppearance(input.bytes, meshFormat(input.format), input.mesh, input.readResource);
+  if (const std::optional<MeshFormat> ofCore = coreFormat(input.format))
+    input.look = readAppearance(input.bytes, *ofCore, input.mesh, input.readResource);
 }
 
 }  // namespace abflat::cli

@@ -6,10 +6,9 @@
 #include "abflat/appearance.h"
 #include "abflat/gltf.h"
 #include "abflat/io.h"
+#include "files/file_format.h"
 
 namespace abflat::cli {
-
-enum class FileFormat { Obj, Off, Ply, Stl, Gltf };
 
 struct InputMesh {
   std::string bytes;  ///< empty for a glTF, since `gltf` holds them

@@ -6,9 +6,9 @@
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "abflat/samples.h"
+#include "files/file_format.h"
 #include "files/input_file.h"
 #include "files/out_of_memory.h"
-#include "files/paths.h"
 
 namespace abflat::cli {
 namespace {
@@ -53,12 +53,11 @@ Result<std::vector<fs::path>> meshFiles(const std::string& folder) {
   std::vector<fs::path> out;
   fs::directory_iterator at(folder, error);
   for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-    const std::string ending = endingOf(at->path().string());
-    if (ending == ".obj" || ending == ".ply" || ending == ".stl" || ending == ".off")
-      out.push_back(at->path());
+    const std::optional<FileFormat> format = namedFormat(at->path().string());
+    if (format && coreFormat(*format)) out.push_back(at->path());
   }
   if (error) return noMeshes(folder, error.message());
-  if (out.empty()) return noMeshes(folder, "it contains no .obj, .ply, .stl or .off file");
+  if (out.empty()) return noMeshes(folder, std::string("it contains no ") + kCoreEndings + " file");
   std::sort(out.begin(), out.end());
   return out;
 }

@@ -18,8 +18,8 @@ struct Model {
   const PaperModel* paper = nullptr;
 };
 
-/// The generated models that look like those of the paper, then the OBJ, PLY, STL and OFF files of
-/// a folder, by name; an empty `folder` adds none. Errors: UnreadableFile.
+/// The generated models that look like those of the paper, then the meshes of a folder, by name;
+/// an empty `folder` adds none. Errors: UnreadableFile.
 Result<std::vector<Model>> findModels(const std::string& folder);
 
 /// Seconds from input arrays to output arrays, counted as in `sweep`.

@@ -123,7 +123,7 @@ TEST_CASE("straight runs of an atlas are measured as they are written", "[straig
   UnwrapOptions options;
   options.straightSeams = true;
   const auto deviation = [&](bool isSingle) {
-    options.rounding = isSingle ? Rounding::Single : Rounding::None;
+    options.precision = isSingle ? Precision::Single : Precision::Double;
     const Result<UnwrapResult> r = unwrap(sheet.mesh, options);
     REQUIRE(r.ok());
     REQUIRE(r.value.report.charts.at(0).straight);

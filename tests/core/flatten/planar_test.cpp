@@ -89,7 +89,7 @@ TEST_CASE("what is bent or folded is not projected") {
 TEST_CASE("slivers in flat regions do not ruin an atlas", "[unwrap]") {
   for (const double height : {1e-4, 3e-6, 2.4e-7, 1e-8}) {
     UnwrapOptions options;
-    options.rounding = Rounding::Single;
+    options.precision = Precision::Single;
     const Result<UnwrapResult> r = unwrap(withSliver(height), options);
     CAPTURE(height);
     REQUIRE(r.ok());

@@ -21,7 +21,7 @@ using test::readAlone;
 /// The file with an atlas, written and read again.
 GltfModel unwrappedAgain(const GltfModel& model, const GltfWriteOptions& options = {}) {
   UnwrapOptions wanted;
-  wanted.rounding = Rounding::Gltf;
+  wanted.precision = Precision::Gltf;
   const Result<UnwrapResult> result = unwrap(model.mesh, wanted);
   REQUIRE(result.ok());
   const Result<std::string> bytes =
@@ -102,7 +102,7 @@ TEST_CASE("written vertices repeat all attributes and morph targets", "[gltf]") 
 TEST_CASE("texcoords of a file are exactly those that were checked", "[gltf]") {
   const GltfModel model = readAlone(octahedronGlb()).value;
   UnwrapOptions options;
-  options.rounding = Rounding::Gltf;
+  options.precision = Precision::Gltf;
   const UnwrapResult result = unwrap(model.mesh, options).value;
   REQUIRE(result.report.valid);
   const std::string bytes =

@@ -118,7 +118,7 @@ TEST_CASE("needles in a chart are valid in single precision", "[certificate]") {
     for (unsigned seed = 1; seed <= 10; ++seed) {
       INFO(width << " " << seed);
       UnwrapOptions options;
-      options.rounding = Rounding::Gltf;
+      options.precision = Precision::Gltf;
       const UnwrapResult result = unwrapped(gridWithNeedle(width, seed), options);
       moved += mentions(result.report, "moved by up to");
       CHECK_FALSE(mentions(result.report, "enlarged"));
@@ -133,7 +133,7 @@ TEST_CASE("tiny charts beside large ones are enlarged, and only they", "[certifi
     parts.push_back(
         transformed(bumpyGrid(3, 3, 0.3, static_cast<unsigned>(i)), 1e-8, {3.0 + i, 0.5 * i, 1}));
   UnwrapOptions options;
-  options.rounding = Rounding::Gltf;
+  options.precision = Precision::Gltf;
   options.texelDensity = 40;
   const UnwrapResult result = unwrapped(together(parts), options);
   CHECK(mentions(result.report, "tiny charts are enlarged"));

@@ -355,7 +355,7 @@ TEST_CASE("needles and faces that are far too large end in a valid atlas", "[cut
     mesh.positions[3 * 77 + 1] -= 0.64 * far;
     mesh.positions[3 * 77 + 2] += 0.6 * far;
     UnwrapOptions options = kAuto;
-    options.rounding = Rounding::Single;
+    options.precision = Precision::Single;
     CHECK(unwrapped(mesh, options).report.atlas.texelDensity > 0);
   }
 }

@@ -91,7 +91,7 @@ TEST_CASE("fixed islands stay bit by bit, and others are packed around them", "[
   for (const bool rounds : {false, true}) {
     UnwrapOptions two = severalCharts();
     two.reuse.fixedFaces = {first.report.charts[0].firstFace, first.report.charts[1].firstFace};
-    two.rounding = rounds ? Rounding::Single : Rounding::None;
+    two.precision = rounds ? Precision::Single : Precision::Double;
     const UnwrapResult r = unwrapped(mesh, two);
     checkKept(mesh, r, 2);
     CHECK(complaintOf(r) == "");
@@ -341,7 +341,7 @@ TEST_CASE("a texel density is kept in as many tiles as it takes", "[fixed]") {
   CHECK(s.message.find("Lower the density") != std::string::npos);
   options.udim = true;
   for (const bool rounds : {false, true}) {
-    options.rounding = rounds ? Rounding::Single : Rounding::None;
+    options.precision = rounds ? Precision::Single : Precision::Double;
     r = unwrapped(mesh, options);
     CHECK(r.report.atlas.tiles >= 4);
     CHECK(complaintOf(r) == "");

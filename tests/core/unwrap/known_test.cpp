@@ -58,7 +58,7 @@ TEST_CASE("what is known is taken over and gives the bytes of solving", "[known]
     const UnwrapResult second = unwrapped(mesh, options);
     CHECK(known(second) == 8);
     checkSameLayout(first, second);
-    options.rounding = Rounding::Single;
+    options.precision = Precision::Single;
     options.reuse.known = knownLayout(unwrapped(mesh, options));
     CHECK(options.reuse.known.unpacked == knownLayout(first).unpacked);
   }

@@ -60,7 +60,7 @@ TEST_CASE("slivers do not ruin charts, however thin they are", "[unwrap]") {
   for (const double hair : {1e-3, 1e-5, 1e-6, 1e-7, 1e-8})
     for (const unsigned n : {5u, 12u, 30u}) {
       UnwrapOptions options;
-      options.rounding = Rounding::Single;
+      options.precision = Precision::Single;
       const Result<UnwrapResult> r = unwrap(domeWithSlivers(n, 4, hair), options);
       CAPTURE(hair, n);
       REQUIRE(r.ok());

@@ -32,7 +32,7 @@ TEST_CASE("a vertex far off leaves the others an atlas that is valid, in every p
     for (const double distance : {1e2, 1e4, 1e5, 1e6, 1e7, 1e9, 1e12})
       for (const bool isGltf : {false, true}) {
         UnwrapOptions options;
-        options.rounding = isGltf ? Rounding::Gltf : Rounding::Single;
+        options.precision = isGltf ? Precision::Gltf : Precision::Single;
         INFO(distance << (isGltf ? " glTF" : ""));
         const Result<UnwrapResult> r = unwrap(withVertexAt(mesh, 77, distance), options);
         REQUIRE(r.ok());
@@ -93,7 +93,7 @@ TEST_CASE(
       mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
     }
     UnwrapOptions options;
-    options.rounding = Rounding::Gltf;
+    options.precision = Precision::Gltf;
     valid += unwrap(mesh, options).value.report.valid;
   }
   CHECK(valid >= 30);

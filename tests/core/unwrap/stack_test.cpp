@@ -283,9 +283,9 @@ TEST_CASE("straight seams and rounding keep stacks exact", "[stack]") {
   options.straightSeams = true;
   stackedExactly(mesh, options);
   options.straightSeams = false;
-  options.rounding = Rounding::Single;
+  options.precision = Precision::Single;
   stackedExactly(mesh, options);
-  options.rounding = Rounding::Gltf;
+  options.precision = Precision::Gltf;
   stackedExactly(mesh, options);
 }
 

@@ -232,7 +232,7 @@ TEST_CASE("a pin on a seam says by a face which texcoord it means", "[pin]") {
 
 TEST_CASE("rounded texcoords are single precision numbers, also when v points down") {
   UnwrapOptions options;
-  options.rounding = Rounding::Single;
+  options.precision = Precision::Single;
   const Result<UnwrapResult> result = unwrap(torus(24, 12), options);
   REQUIRE(result.ok());
   CHECK(result.value.report.valid);

@@ -143,23 +143,23 @@ bool unwrapMesh(const std::uint8_t* bytes, std::size_t size) {
   const std::string wrong =
       stackedComplaint(trianglesOf(mesh, result.value), result.value.chartOfTriangle, report);
   expect(wrong.empty(), "a valid atlas: " + wrong);
-  if (options.rounding == Rounding::Gltf)
+  if (options.precision == Precision::Gltf)
     expectValidGltf(mesh, result.value);
   else
-    expectFile(mesh, result.value, options.rounding == Rounding::Single ? MeshFormat::Ply : MeshFormat::Obj);
+    expectFile(mesh, result.value, options.precision == Precision::Single ? MeshFormat::Ply : MeshFormat::Obj);
   return true;
 }
 
 bool flattenMesh(const std::uint8_t* bytes, std::size_t size) {
-  const auto [mesh, options, rounding] = flattenCase(bytes, size);
+  const auto [mesh, options, precision] = flattenCase(bytes, size);
   Result<FlattenResult> result = flatten(mesh, options);
   if (!result.ok()) {
     expect(!result.status.message.empty(), "a refusal has a reason");
     expect(result.status.code != StatusCode::Internal, result.status.message);
     return false;
   }
-  if (rounding == Rounding::Single) roundToSinglePrecision(mesh, result.value);
-  if (rounding == Rounding::Gltf) roundForGltf(mesh, result.value);
+  if (precision == Precision::Single) roundToSinglePrecision(mesh, result.value);
+  if (precision == Precision::Gltf) roundForGltf(mesh, result.value);
   reportJson(result.value.report);
   if (!result.value.report.valid) return true;
   AtlasTriangles triangles;

@@ -10,13 +10,14 @@ enum class Field : int {
   Indices = 1,  ///< 3 output vertices per triangle
   VertexMap = 2,  ///< input vertex of each output vertex
   Positions = 3,  ///< 3 per output vertex, for file input only
-  Obj = 4,  ///< OBJ text, if asked for
-  Ply = 5,  ///< PLY file, if asked for
-  Text = 6,  ///< JSON of a result, or the message of an error
-  ChartOfTriangle = 7,  ///< chart of each triangle
-  Seams = 8,  ///< edges that were cut, two input vertices each
-  Unpacked = 9,  ///< uv before packing
-  Faces = 10,  ///< input face of each triangle of a loaded file
+  Text = 4,  ///< JSON of a result, or the message of an error
+  ChartOfTriangle = 5,  ///< chart of each triangle
+  Seams = 6,  ///< edges that were cut, two input vertices each
+  Unpacked = 7,  ///< uv before packing
+  Faces = 8,  ///< input face of each triangle of a loaded file
 };
+
+/// The file of the first MeshFormat, as a Field; those of the others follow.
+constexpr int kFirstFile = 9;
 
 }  // namespace abflat::bindings

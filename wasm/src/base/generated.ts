@@ -48,16 +48,6 @@ export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; read
   AtlasTooSmall: { exit: 4, text: 'the charts do not fit the atlas; the message names a resolution or texel density at which they fit' },
 };
 
-/** Exit codes of the command line program. */
-export const EXIT_CODES = [
-  { code: 0, name: 'Valid', text: 'a valid result was written' },
-  { code: 1, name: 'NotValid', text: 'a result was written, but it is not valid or the solver did not converge; the report says why' },
-  { code: 2, name: 'Usage', text: 'the command line is wrong' },
-  { code: 3, name: 'Unreadable', text: 'the input cannot be read; the message says where and why' },
-  { code: 4, name: 'NotFlattenable', text: 'the mesh cannot be flattened, or cannot be packed as asked; the message says why' },
-  { code: 5, name: 'CannotWrite', text: 'the output cannot be written; existing files are unchanged' },
-] as const;
-
 export type Untangle = 'auto' | 'none' | 'local' | 'global' | 'best';
 
 export type LinearSolver = 'schur' | 'eigen';
@@ -204,3 +194,21 @@ export type CompareStage = 'read';
 
 /** A method of compare. */
 export type MethodKey = 'abflatAuto' | 'abflatConvex' | 'abflatFree' | 'abflatBalanced' | 'symmetricDirichlet' | 'mips' | 'tutte' | 'meanValue' | 'harmonic' | 'lscm';
+
+export const WRITTEN_FORMATS = ['obj', 'ply'] as const;
+
+export type WrittenFormat = (typeof WRITTEN_FORMATS)[number];
+
+export interface FileOptions {
+  /** Also return the input as OBJ with the new texcoords. */
+  obj?: boolean;
+  /** Also return the input as PLY with the new texcoords. The layout is rounded to single precision if it stays valid. */
+  ply?: boolean;
+}
+
+export interface Files {
+  /** OBJ when asked for with `obj: true`, UTF-8. */
+  obj?: Uint8Array;
+  /** PLY when asked for with `ply: true`, in the encoding of the input, or binary if that is not a PLY. */
+  ply?: Uint8Array;
+}

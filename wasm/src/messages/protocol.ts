@@ -1,7 +1,7 @@
 // What client and worker say to each other. One call at a time: the worker answers it before the client sends the next.
 
 import type { Build } from '../base/builds.js';
-import type { StatusName } from '../base/generated.js';
+import type { StatusName, WrittenFormat } from '../base/generated.js';
 import type {
   CompareProgress,
   Comparison,
@@ -40,8 +40,7 @@ export type PinNumbers = [vertex: number, u: number, v: number, face: number];
 export interface LayoutRequest {
   mesh: OwnedMesh;
   pins: PinNumbers[];
-  wantsObj: boolean;
-  wantsPly: boolean;
+  files: WrittenFormat[];
   wantsProgress: boolean;
   roundsForGltf: boolean;
 }

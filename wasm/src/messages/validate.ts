@@ -9,13 +9,14 @@ import {
   UNWRAP_DEFAULTS,
   UNWRAP_OPTIONS,
   type UnwrapOptionValues,
+  WRITTEN_FORMATS,
 } from '../base/generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from '../base/memory.js';
 import { fieldOf, fieldsOf, ownFields } from './fields.js';
 import type { KnownArrays, PinNumbers } from './protocol.js';
 
 const OF_CALL = ['signal', 'transfer'];
-const OF_LAYOUT = ['onProgress', 'pins', 'obj', 'ply', 'roundsForGltf', ...OF_CALL];
+const OF_LAYOUT = ['onProgress', 'pins', ...WRITTEN_FORMATS, 'roundsForGltf', ...OF_CALL];
 export const KEYS = {
   create: ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'workerUrl'],
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'straight', 'normalize', ...OF_LAYOUT],

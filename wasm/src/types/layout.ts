@@ -1,6 +1,6 @@
 // What the calls that return a layout have in common.
 
-import type { FlattenStage } from '../base/generated.js';
+import type { FileOptions, Files, FlattenStage } from '../base/generated.js';
 
 /** The part of AbortSignal that calls need, no matter which library declares the type. */
 export interface AbortSignalLike {
@@ -45,20 +45,13 @@ export interface PinWeights {
   weights: Float64Array;
 }
 
-export interface LayoutOptions extends CallOptions {
+export interface LayoutOptions extends CallOptions, FileOptions {
   /**
    * None, or at least two; in an atlas, per chart, and a pinned chart stays where its pins are. Two
    * pins are met by moving, rotating and scaling the layout; more, by the layout that is closest to
    * the angles in the least-squares sense.
    */
   pins?: readonly Pin[];
-  /** Also return the input as OBJ text with the new texcoords. */
-  obj?: boolean;
-  /**
-   * Also return the input as PLY with the new texcoords. The layout is rounded to single precision
-   * if it stays valid.
-   */
-  ply?: boolean;
   /**
    * Round `uv` to the values that a glTF holds (single precision, v measured from the top), even if
    * that makes it invalid; the report describes the rounded layout. Default: false; `unwrap` then
@@ -75,7 +68,7 @@ export interface LayoutTimings {
 }
 
 /** What every layout has; `R` is the type of its report. */
-export interface Layout<R> {
+export interface Layout<R> extends Files {
   /** 2 per output vertex. */
   uv: Float64Array;
   /** 3 output vertices per triangle; polygons of a file are triangulated. */
@@ -84,12 +77,5 @@ export interface Layout<R> {
   vertexMap: Uint32Array;
   /** 3 per output vertex, only for file input (for arrays, look them up through `vertexMap`). */
   positions?: Float64Array;
-  /** OBJ text (UTF-8) when asked for with `obj: true`. */
-  obj?: Uint8Array;
-  /**
-   * PLY when asked for with `ply: true`, in the encoding of the input, or binary if that is not a
-   * PLY.
-   */
-  ply?: Uint8Array;
   report: R;
 }

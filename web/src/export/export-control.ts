@@ -1,7 +1,9 @@
 import { element } from '../base/dom';
+import { exportedFile, exportFormatOf } from '../base/mesh-files';
 import { MenuButton } from '../controls/menu-button';
-import { type ExportFormat, exportFormat, type Source } from '../model/model';
+import type { Source } from '../model/model';
 import { EXPORT } from '../words/export';
+import { EXPORT_FORMATS, type ExportFormat } from '../words/generated-formats';
 
 export interface ExportEvents {
   export(): void;
@@ -16,11 +18,12 @@ export class ExportControl {
   private readonly button = element('export', HTMLButtonElement);
   private readonly text = element('export-text', HTMLSpanElement);
   private readonly menu: MenuButton;
-  private chosen: ExportFormat = 'obj';
+  private chosen: ExportFormat = EXPORT_FORMATS[0];
   private earlier: string | null = null;
 
   constructor(events: ExportEvents) {
     this.button.addEventListener('click', () => events.export());
+    element('export-menu', HTMLElement).prepend(...EXPORT_FORMATS.map(choiceOf));
     this.menu = new MenuButton('export-formats', 'export-menu', (value) => {
       if (value === 'picture') return events.picture();
       this.choose(value as ExportFormat);
@@ -40,7 +43,7 @@ export class ExportControl {
   }
 
   open(source: Source): void {
-    this.choose(exportFormat(source));
+    this.choose(exportFormatOf(source.name));
   }
 
   openMenu(): void {
@@ -66,8 +69,20 @@ export class ExportControl {
 
   private show(): void {
     const { earlier } = this;
-    const format = this.chosen.toUpperCase();
+    const format = exportedFile(this.chosen).title;
     this.text.textContent = earlier ? EXPORT.exportLast : EXPORT.export(format);
     this.button.title = earlier ? EXPORT.previous(earlier) : '';
   }
+}
+
+/** An item of the menu. */
+function choiceOf(format: ExportFormat): HTMLButtonElement {
+  const item = document.createElement('button');
+  item.type = 'button';
+  item.role = 'menuitemradio';
+  item.ariaChecked = 'false';
+  item.tabIndex = -1;
+  item.dataset.value = format;
+  item.textContent = exportedFile(format).title;
+  return item;
 }

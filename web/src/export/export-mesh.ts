@@ -1,7 +1,9 @@
 import { download } from '../base/download';
-import { type ExportFormat, exportFormat, type Outcome } from '../model/model';
+import { exportedFile, exportFormatOf, meshFileOf } from '../base/mesh-files';
+import type { Outcome } from '../model/model';
 import type { Written } from '../session/write-again';
 import { EXPORT, SAVED } from '../words/export';
+import type { ExportFormat } from '../words/generated-formats';
 import type { Workshop } from '../workshop/workshop';
 
 /** What is to be written. */
@@ -25,7 +27,7 @@ export async function exportMesh(request: ExportRequest, writers: Writers): Prom
   const base = source.name.replace(/\.[^.]*$/, '');
   const { file, remarks } = await write(request, base, writers);
   const name = `${base}-uv.${request.format}`;
-  download(name, TYPES[request.format], file);
+  download(name, exportedFile(request.format).type, file);
   const size = file instanceof Blob ? file.size : file.length;
   const exported = EXPORT.exported(name, SAVED.kilobytes(size));
   return [exported + after(request), ...setOf(request), ...remarks].join('. ');
@@ -56,7 +58,7 @@ async function convert(
   const remarks = outcome.result.report.valid && !written.isValid ? [EXPORT.rounded] : [];
   if (format === 'glb') return { file: await writers.workshop.glb(outcome, 0, name), remarks };
   const file = written[format];
-  if (!file) throw new Error(`The result came without ${format.toUpperCase()}.`);
+  if (!file) throw new Error(`The result came without ${exportedFile(format).title}.`);
   return { file, remarks };
 }
 
@@ -71,9 +73,8 @@ function setOf({ outcome, format, texcoord }: ExportRequest): string[] {
 }
 
 function after({ outcome, format }: ExportRequest): string {
-  const hasMore = /\.(obj|ply|glb|gltf)$/i.test(outcome.source.name);
-  if (hasMore && format !== exportFormat(outcome.source)) return EXPORT.shapeOnly;
+  const { name } = outcome.source;
+  const hasMore = Boolean(meshFileOf(name)?.exported);
+  if (hasMore && format !== exportFormatOf(name)) return EXPORT.shapeOnly;
   return outcome.gltf?.compressions.length ? EXPORT.uncompressed : '';
 }
-
-const TYPES = { obj: 'model/obj', ply: 'model/ply', glb: 'model/gltf-binary' };

@@ -1,5 +1,6 @@
 // Reads how a file looks, besides its shape.
 
+import { meshFileOf } from '../base/mesh-files';
 import type { AppearanceRead } from '../model/appearance';
 import type { GltfFiles } from '../model/model';
 import { WHITE } from './corner-looks';
@@ -43,6 +44,7 @@ async function readLook(
   mesh: LookMesh,
 ): Promise<StoredLook | null> {
   if (gltf) return readGltfLook(gltf);
-  if (/\.ply$/i.test(file.name)) return readPlyLook(file, mesh);
-  return /\.obj$/i.test(file.name) ? readObjLook(file, others, mesh) : null;
+  const format = meshFileOf(file.name)?.format;
+  if (format === 'ply') return readPlyLook(file, mesh);
+  return format === 'obj' ? readObjLook(file, others, mesh) : null;
 }

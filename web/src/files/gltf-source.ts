@@ -2,6 +2,7 @@
 
 import { type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
+import { isGlb, meshFileOf } from '../base/mesh-files';
 import { GLTF } from '../words/gltf';
 import { READING } from '../words/opening';
 import { NEWER } from './meshopt-views';
@@ -26,8 +27,7 @@ export async function openGltf(file: File, others: File[]): Promise<Opened> {
   const { name } = file;
   const bytes = new Uint8Array(await file.arrayBuffer());
   if (bytes.length === 0) throw new Error(READING.empty(name));
-  const isBinary = new TextDecoder().decode(bytes.subarray(0, 4)) === 'glTF';
-  const opened = isBinary ? await openBinary(name, bytes) : await openText(name, bytes, others);
+  const opened = isGlb(bytes) ? await openBinary(name, bytes) : await openText(name, bytes, others);
   checkExtensions(name, opened.source);
   return opened;
 }
@@ -69,7 +69,9 @@ function parseJson(name: string, text: string): JSONDocument['json'] {
     return JSON.parse(text);
   } catch (error) {
     const { message } = error as Error;
-    throw new Error(/\.glb$/i.test(name) ? GLTF.notGlb(name) : GLTF.notJson(name, message));
+    throw new Error(
+      meshFileOf(name)?.ending === '.glb' ? GLTF.notGlb(name) : GLTF.notJson(name, message),
+    );
   }
 }
 

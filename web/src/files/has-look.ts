@@ -1,3 +1,4 @@
+import { isGlb, meshFileOf } from '../base/mesh-files';
 import type { GltfFiles } from '../model/model';
 
 /** What colours a glTF. */
@@ -10,8 +11,9 @@ const COLORED_VERTEX = /^v(?:[ \t]+[-+.\deE]+){6}[ \t]*(?:#|\r?$)/m;
 /** Whether a file may have more than a shape: only then, what reads it is loaded. */
 export async function hasLook(file: File, gltf: GltfFiles | undefined): Promise<boolean> {
   if (gltf) return GLTF_COLOR.test(await jsonOf(gltf.file));
-  if (/\.ply$/i.test(file.name)) return PLY_COLOR.test(await file.slice(0, 1 << 16).text());
-  if (!/\.obj$/i.test(file.name)) return false;
+  const format = meshFileOf(file.name)?.format;
+  if (format === 'ply') return PLY_COLOR.test(await file.slice(0, 1 << 16).text());
+  if (format !== 'obj') return false;
   const text = await file.text();
   return text.includes('usemtl') || COLORED_VERTEX.test(text);
 }
@@ -19,6 +21,6 @@ export async function hasLook(file: File, gltf: GltfFiles | undefined): Promise<
 /** Of a GLB, its first chunk. */
 async function jsonOf(file: File): Promise<string> {
   const head = new DataView(await file.slice(0, 20).arrayBuffer());
-  const isBinary = head.byteLength === 20 && head.getUint32(0, true) === 0x46546c67;
+  const isBinary = head.byteLength === 20 && isGlb(new Uint8Array(head.buffer));
   return (isBinary ? file.slice(20, 20 + head.getUint32(12, true)) : file).text();
 }

@@ -8,6 +8,7 @@ import type {
   UnwrapProgress,
   UnwrapResult,
 } from 'abflat';
+import { meshFileOf } from '../base/mesh-files';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from './drawing';
 import type { FlattenSettings, UnwrapSettings } from './settings';
@@ -32,18 +33,7 @@ export interface FileSource {
 export const isSameFile = (a: Source, b: Source) =>
   a.kind === 'file' && b.kind === 'file' && a.file === b.file;
 
-export const isGltf = ({ name }: Source) => /\.(glb|gltf)$/i.test(name);
-
-/** The formats that can be written, in the order in which they are offered. */
-export const EXPORT_FORMATS = ['obj', 'ply', 'glb'] as const;
-
-export type ExportFormat = (typeof EXPORT_FORMATS)[number];
-
-/** A file is exported in its own format by default, if that can hold texcoords. */
-export function exportFormat(source: Source): ExportFormat {
-  if (isGltf(source)) return 'glb';
-  return /\.ply$/i.test(source.name) ? 'ply' : 'obj';
-}
+export const isGltf = ({ name }: Source) => meshFileOf(name)?.format === 'gltf';
 
 /**
  * A document as it was when it was read. These are copies that the browser stores, so the page need

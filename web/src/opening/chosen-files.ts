@@ -1,9 +1,9 @@
 // Finds the mesh among files that were chosen or dropped together.
 
+import { meshFileOf } from '../base/mesh-files';
 import type { FileSource } from '../model/model';
 import { CHOSEN_FILES } from '../words/opening';
 
-const MESH = /\.(obj|ply|stl|off|gltf|glb)$/i;
 /** What may come with a mesh. */
 const COMPANION = /\.(mtl|bin|png|jpe?g|webp|gif|bmp|tga|tiff?|ktx2?|dds|exr|hdr|txt|seams|json)$/i;
 
@@ -16,10 +16,10 @@ const IMAGE = /\.(png|jpe?g|webp|gif|bmp|avif|svg|heic|tga|tiff?|ktx2?|dds|exr|h
  * may be a mesh if there is no other: its content decides.
  */
 export function sourcesOf(files: File[]): FileSource[] {
-  const meshes = files.filter(({ name }) => MESH.test(name));
+  const meshes = files.filter(({ name }) => meshFileOf(name));
   const chosen = meshes.length > 0 ? meshes : files.filter(({ name }) => !COMPANION.test(name));
   const others = files.filter((file) => !chosen.includes(file));
-  const isGltf = ({ name }: File) => /\.gltf$/i.test(name);
+  const isGltf = ({ name }: File) => meshFileOf(name)?.ending === '.gltf';
   const ordered = [...chosen.filter(isGltf), ...chosen.filter((file) => !isGltf(file))];
   const together: FileSource[] = [];
   for (const file of ordered)

@@ -1,3 +1,4 @@
+import { isGlb, meshFileOf } from '../base/mesh-files';
 import type { Address } from './address';
 import { companionsOf, namedByGltf, namedByMtl, namedByObj } from './companions';
 import { fetchFile, type Watch } from './fetch-file';
@@ -8,15 +9,23 @@ const HEAD = 1 << 20;
 /** Fetches a mesh and the files that it names in its own folder. The mesh comes first. */
 export async function fetchMesh({ url }: Address, watch: Watch): Promise<File[]> {
   const mesh = await named(await fetchFile(url, watch));
-  if (/\.gltf$/i.test(mesh.name)) return [mesh, ...(await partsOfGltf(mesh, url, watch))];
-  if (/\.obj$/i.test(mesh.name)) return [mesh, ...(await materialsOf(mesh, url, watch))];
-  return [mesh];
+  const others = await othersOf(mesh.name)?.(mesh, url, watch);
+  return [mesh, ...(others ?? [])];
+}
+
+/** Whether a mesh of this name may name other files. */
+export const namesFiles = (name: string): boolean => othersOf(name) !== undefined;
+
+/** What fetches the files that a mesh names. */
+function othersOf(name: string) {
+  const ending = meshFileOf(name)?.ending;
+  return { '.gltf': partsOfGltf, '.obj': materialsOf }[ending ?? ''];
 }
 
 /** Addresses need not end like files. Other formats are recognised by their content when they are read. */
 async function named(file: File): Promise<File> {
-  const isGlb = (await file.slice(0, 4).text()) === 'glTF';
-  if (!isGlb || /\.glb$/i.test(file.name)) return file;
+  const start = new Uint8Array(await file.slice(0, 4).arrayBuffer());
+  if (!isGlb(start) || meshFileOf(file.name)?.ending === '.glb') return file;
   return new File([file], `${file.name}.glb`, { type: file.type });
 }
 

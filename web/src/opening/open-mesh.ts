@@ -1,5 +1,6 @@
 import { element, isTyping } from '../base/dom';
 import type { FileSource, Source } from '../model/model';
+import { MESH_FILES } from '../words/generated-formats';
 import { JOINING } from '../words/opening';
 import { placeOf } from './address';
 import { areImages, noMesh, sourcesOf } from './chosen-files';
@@ -76,6 +77,8 @@ export class Opening {
 type OpenFiles = (files: File[]) => void;
 function bindDialog(openFiles: OpenFiles): void {
   const input = element('file', HTMLInputElement);
+  // Beside what may come with a mesh.
+  input.accept = [...MESH_FILES.map(({ ending }) => ending), input.accept].join();
   element('open', HTMLButtonElement).addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
     openFiles([...(input.files ?? [])]);

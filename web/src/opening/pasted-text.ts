@@ -1,18 +1,12 @@
 // What a text from the clipboard is.
 
+import { MESH_FILES } from '../words/generated-formats';
+
 export type Pasted = { kind: 'address'; text: string } | { kind: 'mesh'; name: string };
 
 /** Bytes that tell what it is. */
 const START = 4096;
 const ADDRESS = /^https?:\/\/\S+$/i;
-
-/** Each format by how its files begin. */
-const BEGINNINGS: [ending: string, pattern: RegExp][] = [
-  ['ply', /^ply\s/],
-  ['off', /^(?:ST)?C?N?4?n?OFF\s/],
-  ['stl', /^solid\b[^\n]*\n\s*facet\s/],
-  ['gltf', /^\{[\s\S]*"asset"\s*:/],
-];
 
 const OBJ_LINE = /^(?:v|vt|vn|vp|f|l|o|g|s|mtllib|usemtl)\s/;
 const OBJ_VERTEX = /^v(?:\s+[-+.\d][-+.\deE]*){3,}\s*$/;
@@ -22,8 +16,8 @@ export function pastedIn(text: string): Pasted | null {
   const start = text.slice(0, START).trimStart();
   const line = text.length < START ? start.trim() : '';
   if (ADDRESS.test(line)) return { kind: 'address', text: line };
-  const [ending] = BEGINNINGS.find(([, pattern]) => pattern.test(start)) ?? [];
-  if (ending) return { kind: 'mesh', name: `pasted.${ending}` };
+  const file = MESH_FILES.find(({ pasted }) => pasted?.test(start));
+  if (file) return { kind: 'mesh', name: `pasted${file.ending}` };
   return beginsLikeObj(start) ? { kind: 'mesh', name: 'pasted.obj' } : null;
 }
 

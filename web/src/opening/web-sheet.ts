@@ -2,6 +2,7 @@
 
 import { WEB_SHEET } from '../words/web';
 import { type Address, shown } from './address';
+import { namesFiles } from './fetch-mesh';
 import type { Question } from './question';
 
 export { ask } from './question';
@@ -9,10 +10,9 @@ export { ask } from './question';
 /** Before the first request. `bytes`: the size, if it is known. */
 export function openFrom({ url, name, host }: Address, bytes: number | null): Question {
   const size = bytes === null ? '' : megabytes(bytes);
-  const namesFiles = /\.(gltf|obj)$/i.test(name);
   return {
     title: WEB_SHEET.openFrom(name, host),
-    paragraphs: [WEB_SHEET.whatHappens(host, size, namesFiles), shown(url)],
+    paragraphs: [WEB_SHEET.whatHappens(host, size, namesFiles(name)), shown(url)],
     yes: WEB_SHEET.open,
   };
 }

@@ -1,15 +1,10 @@
 import type { Abflat, AbflatError, UnwrapOptions } from 'abflat';
 import { copied } from '../base/buffers';
-import {
-  type AnyProgress,
-  type ExportFormat,
-  exportFormat,
-  type Opened,
-  type Outcome,
-  type Unwrapped,
-} from '../model/model';
+import { exportFormatOf } from '../base/mesh-files';
+import type { AnyProgress, Opened, Outcome, Unwrapped } from '../model/model';
 import { type Settings, sameButSeams, type UnwrapSettings } from '../model/settings';
 import { stackedCharts, stacksIn, withStacks } from '../model/stacks';
+import type { ExportFormat } from '../words/generated-formats';
 import { judged, keepingStacks, type StackHelpers } from './stacks';
 
 interface Watch {
@@ -73,9 +68,9 @@ export async function layOut(
   earlier: Outcome | null,
   watch: Watch,
   helpers: StackHelpers,
-  format: ExportFormat = exportFormat(source),
+  format: ExportFormat = exportFormatOf(source.name),
 ): Promise<Outcome> {
-  const roundsForGltf = exportFormat(source) === 'glb';
+  const roundsForGltf = exportFormatOf(source.name) === 'glb';
   const file = format === 'glb' ? {} : { [format]: true };
   if (settings.mode === 'flatten') {
     const { mode, ...options } = settings;

@@ -1,7 +1,8 @@
 import type { Abflat, FlattenResult, KnownLayout, MeshInput, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
-import type { ExportFormat, Outcome } from '../model/model';
+import type { Outcome } from '../model/model';
 import { SAVING } from '../words/export';
+import type { ExportFormat } from '../words/generated-formats';
 import { layOut } from './lay-out';
 import { judged, type Runs, type StackHelpers } from './stacks';
 

@@ -1,6 +1,9 @@
 // Opening meshes.
 
 import { counted, ended } from './format';
+import { MESH_NAMES } from './generated-formats';
+
+const MESHES = `${MESH_NAMES.slice(0, -1).join(', ')} or ${MESH_NAMES.at(-1)}`;
 
 /** Choosing or dropping files. */
 export const CHOSEN_FILES = {
@@ -9,7 +12,7 @@ export const CHOSEN_FILES = {
       names.length === 1
         ? `${names[0]} is not a mesh`
         : `None of these ${names.length} files is a mesh`;
-    return `${what}. Open an OBJ, PLY, STL, OFF, glTF or GLB file, along with any files it needs.`;
+    return `${what}. Open an ${MESHES} file, along with any files it needs.`;
   },
   emptyFolder: 'The folder is empty. Drop a mesh, or a folder that contains one.',
   tooMany: (most: number) =>
@@ -21,7 +24,7 @@ export const CHOSEN_FILES = {
 export const READING = {
   noMesh: 'Open a mesh first.',
   empty: (name: string) => `${name} is empty. Export or download it again.`,
-  notSupported: (name: string) => `${name} is not supported. Use OBJ, PLY, STL, OFF, glTF or GLB.`,
+  notSupported: (name: string) => `${name} is not supported. Use ${MESHES}.`,
   /** A file of a 3D program. */
   scene: (name: string) =>
     `${name} is not supported. Export it as glTF from Blender, Maya or the program that made it, then drop that file.`,

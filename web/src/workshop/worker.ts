@@ -7,6 +7,7 @@ import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf } from '../base/buffers';
 import { loadInWorker } from '../base/load-part';
+import { exportedFile } from '../base/mesh-files';
 import { startOnce } from '../base/start-once';
 import { drawFlat } from '../drawing/draw';
 import { drawMesh } from '../drawing/draw-mesh';
@@ -176,7 +177,7 @@ const tasks = {
 
   joinedObj: async (meshes: NamedMesh[]): Promise<Blob> => {
     const { joinedObj } = await writing();
-    return new Blob(joinedObj(meshes), { type: 'model/obj' });
+    return new Blob(joinedObj(meshes), { type: exportedFile('obj').type });
   },
 
   svg: async (drawing: AtlasDrawing, millimetres: number | 'auto'): Promise<Blob> => {

@@ -1,7 +1,8 @@
-#include "files/mesh_format.h"
+#include "files/layout_text.h"
 
 #include <filesystem>
 
+#include "files/file_format.h"
 #include "files/paths.h"
 
 namespace abflat::cli {
@@ -21,41 +22,12 @@ std::string pathBetween(const std::string& from, const std::string& to) {
 
 }  // namespace
 
-std::string formatName(FileFormat format) {
-  switch (format) {
-    case FileFormat::Obj:
-      return "OBJ";
-    case FileFormat::Off:
-      return "OFF";
-    case FileFormat::Ply:
-      return "PLY";
-    case FileFormat::Stl:
-      return "STL";
-    case FileFormat::Gltf:
-      return "glTF";
-  }
-  return {};
-}
-
-bool isWritableName(const std::string& path) {
-  const std::string ending = endingOf(path);
-  return ending.empty() || ending == ".obj" || ending == ".ply" || ending == ".glb" ||
-         ending == ".gltf";
-}
-
-FileFormat writtenFormat(const std::string& path) {
-  const std::string ending = endingOf(path);
-  if (ending == ".glb" || ending == ".gltf") return FileFormat::Gltf;
-  return ending == ".ply" ? FileFormat::Ply : FileFormat::Obj;
-}
-
 Result<std::string> layoutText(const InputMesh& input, const std::string& path, std::size_t set,
                                const WrittenLayout& now) {
   const FileFormat format = writtenFormat(path);
   const std::string_view source = input.format == format ? input.bytes : std::string_view();
-  if (format == FileFormat::Ply) return writePly(input.mesh, now.uv, now.ofCorner, source);
-  if (format == FileFormat::Obj)
-    return writeObj(input.mesh, now.uv, now.ofCorner, source, now.turnedFaces);
+  if (const std::optional<MeshFormat> ofCore = coreFormat(format))
+    return writeMesh(*ofCore, input.mesh, now.uv, now.ofCorner, source, now.turnedFaces);
   const bool isBinary = endingOf(path) == ".glb";
   if (!input.gltf)
     return makeGltf(input.mesh, now.uv, now.ofCorner, now.triangleCorners, input.look,

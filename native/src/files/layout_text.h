@@ -9,16 +9,6 @@
 
 namespace abflat::cli {
 
-/// "OBJ", "PLY", ...
-std::string formatName(FileFormat format);
-
-/// Whether results can be written under this name: its extension is .obj, .ply, .glb or .gltf, or
-/// it has none.
-bool isWritableName(const std::string& path);
-
-/// The format that is written under a name; OBJ if it has no extension.
-FileFormat writtenFormat(const std::string& path);
-
 /// Texcoords, and the triangles for which they were checked.
 struct WrittenLayout {
   const std::vector<double>& uv;
@@ -27,7 +17,7 @@ struct WrittenLayout {
   const std::vector<std::uint32_t>& turnedFaces;  ///< that the mesh has turned since it was read
 };
 
-/// The content to write to `path`: the input with these texcoords, see writeObj, writePly,
+/// The content to write to `path`: the input with these texcoords, see writeMesh,
 /// writeGltf and makeGltf. `set` is the number of the texcoord set in a glTF. Errors: CannotWrite.
 Result<std::string> layoutText(const InputMesh& input, const std::string& path, std::size_t set,
                                const WrittenLayout& now);
