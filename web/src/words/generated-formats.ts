@@ -20,46 +20,11 @@ export interface MeshFile {
 
 export const MESH_FILES: readonly MeshFile[] = [
   { ending: '.obj', title: 'OBJ', type: 'model/obj', format: 'obj', exported: 'obj', pasted: null },
-  {
-    ending: '.ply',
-    title: 'PLY',
-    type: 'model/x-ply',
-    format: 'ply',
-    exported: 'ply',
-    pasted: /^ply\s/,
-  },
-  {
-    ending: '.stl',
-    title: 'STL',
-    type: 'model/stl',
-    format: 'stl',
-    exported: null,
-    pasted: /^solid\b[^\n]*\n\s*facet\s/,
-  },
-  {
-    ending: '.off',
-    title: 'OFF',
-    type: 'model/x-off',
-    format: 'off',
-    exported: null,
-    pasted: /^(?:ST)?C?N?4?n?OFF\s/,
-  },
-  {
-    ending: '.glb',
-    title: 'GLB',
-    type: 'model/gltf-binary',
-    format: 'gltf',
-    exported: 'glb',
-    pasted: null,
-  },
-  {
-    ending: '.gltf',
-    title: 'glTF',
-    type: 'model/gltf+json',
-    format: 'gltf',
-    exported: 'glb',
-    pasted: /^\{[\s\S]*"asset"\s*:/,
-  },
+  { ending: '.ply', title: 'PLY', type: 'model/x-ply', format: 'ply', exported: 'ply', pasted: /^ply\s/ },
+  { ending: '.stl', title: 'STL', type: 'model/stl', format: 'stl', exported: null, pasted: /^solid\b[^\n]*\n\s*facet\s/ },
+  { ending: '.off', title: 'OFF', type: 'model/x-off', format: 'off', exported: null, pasted: /^(?:ST)?C?N?4?n?OFF\s/ },
+  { ending: '.glb', title: 'GLB', type: 'model/gltf-binary', format: 'gltf', exported: 'glb', pasted: null },
+  { ending: '.gltf', title: 'glTF', type: 'model/gltf+json', format: 'gltf', exported: 'glb', pasted: /^\{[\s\S]*"asset"\s*:/ },
 ];
 
 /** What formats and their files are called. */
