@@ -6,7 +6,7 @@ import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { generatedDisk, randomNumbers, toObj } from '../support/disks.mjs';
 import { judge, judgeFile, overlap, turn } from '../support/exact-atlas.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
+import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import {
   boxArray,
   defects,
@@ -70,7 +70,7 @@ const MESHES = {
   'a plate with holes': plate(6),
   'loose triangles': triangleSoup(200, 3),
   'triangles far below the others': withTinyTriangles(torus(16, 8), 1e-9),
-  'an isosurface': isosurface(8),
+  'an isosurface': isosurface(isInstrumented ? 6 : 8),
   'parts of very different sizes': together([
     [torus(12, 8), [0, 0, 0]],
     [scaled(torus(8, 6), 1e-7), [3, 0, 0]],

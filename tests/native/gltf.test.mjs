@@ -7,7 +7,7 @@ import { complaints } from '../support/atlas.mjs';
 import { elementsOf, GlbMaker, objOf, parseGltf, trianglesOf } from '../support/glb.mjs';
 import { errorsIn } from '../support/gltf-errors.mjs';
 import { richGltf, richTransform } from '../support/rich-gltf.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
+import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { judge, sharedMesh, withoutShared } from '../support/shared.mjs';
 import { sphere, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
@@ -218,7 +218,8 @@ test('a mirrored mesh is not turned over', async (t) => {
 
 test('other formats become a glTF', { skip: withoutShared }, async (t) => {
   const at = tempFolder(t);
-  for (const name of ['spot-uv.obj', 'suzanne-quads.obj', 'genus3.off']) {
+  const names = ['suzanne-quads.obj', 'genus3.off', ...(isInstrumented ? [] : ['spot-uv.obj'])];
+  for (const name of names) {
     const args = ['unwrap', sharedMesh(name), '-o', at('out.glb'), '--report', at('r.json')];
     const run = await runAbflat(args);
     assert.deepEqual([run.code, run.stderr], [0, '']);

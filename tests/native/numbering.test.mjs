@@ -7,11 +7,11 @@ import { test } from 'node:test';
 import { PARTS } from '../support/made-parts.mjs';
 import { Random, surfaceText } from '../support/random-surfaces.mjs';
 import { RIGHT_ANGLED, shuffled } from '../support/right-angles.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
+import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { sphere, torus, tube } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const RUNS = Number(process.env.ABFLAT_NUMBERING_RUNS ?? 3);
+const RUNS = Number(process.env.ABFLAT_NUMBERING_RUNS ?? (isInstrumented ? 1 : 3));
 
 /** Every vertex moved at random. */
 function shaken(random, surface, most) {
@@ -77,7 +77,8 @@ for (const [kind, make] of Object.entries({ ...RIGHT_ANGLED, ...PARTS, ...ROUND 
     }
   });
 
-test('meshes rarely get many more or fewer charts when they are turned', () => {
+const TOO_FEW = isInstrumented && 'sanitizers leave time for few meshes';
+test('meshes rarely get many more or fewer charts when they are turned', { skip: TOO_FEW }, () => {
   assert.ok(turnedMeshes > 0);
   assert.ok(others.length <= 0.03 * turnedMeshes, others.join('\n'));
 });
