@@ -4,6 +4,7 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { packPackage } from '../wasm/support/pack.mjs';
 import { ROOT } from '../wasm/support/paths.mjs';
 
 /** Exact versions, so that a new release of one of them breaks nothing here. */
@@ -46,13 +47,11 @@ export function install() {
       throw error;
     }
   }
-  const [{ filename }] = JSON.parse(
-    run('npm', ['pack', '--json', '--workspace', 'wasm', '--pack-destination', FOLDER], ROOT),
-  );
+  const { tarball } = packPackage(FOLDER);
   const place = join(FOLDER, 'node_modules/abflat');
   rmSync(place, { recursive: true, force: true });
   mkdirSync(place);
-  run('tar', ['-xzf', join(FOLDER, filename), '-C', place, '--strip-components=1'], FOLDER);
+  run('tar', ['-xzf', tarball, '-C', place, '--strip-components=1'], FOLDER);
 }
 
 /** A new project with these files. */

@@ -129,42 +129,6 @@ test('version and exported files match the repository', () => {
   for (const path of [...paths, manifest.types]) readFileSync(join(ROOT, 'wasm', path));
 });
 
-test('npm pack contains the licences, the changes, an example and no sources', () => {
-  const args = ['pack', '--dry-run', '--json', '--workspace', 'wasm'];
-  const { stdout, stderr } = spawnSync('npm', args, { cwd: ROOT, encoding: 'utf8' });
-  assert.match(stdout, /^\s*\[/, stderr);
-  const files = JSON.parse(stdout)[0].files.map(({ path }) => path);
-  for (const name of [
-    'package.json',
-    'README.md',
-    'LICENSE',
-    'CHANGELOG.md',
-    'examples/unwrap.mjs',
-    // For tools that do not read "exports".
-    'gltf/package.json',
-    'three/package.json',
-    'dist/index.d.ts',
-    ...MODULES.map((module) => `dist/${module}`),
-  ]) {
-    assert.ok(files.includes(name), name);
-  }
-  for (const name of ['dist/LICENSE.txt', 'dist/THIRD_PARTY_LICENSES.txt']) {
-    assert.ok(files.includes(name), name);
-  }
-  assert.deepEqual(
-    files.filter(
-      (path) =>
-        !/^(dist\/|examples\/|((gltf\/|three\/)?package\.json|README\.md|LICENSE|CHANGELOG\.md)$)/.test(
-          path,
-        ),
-    ),
-    [],
-  );
-  // They are beside package.json only while it is packed.
-  for (const name of ['LICENSE', 'CHANGELOG.md'])
-    assert.ok(!existsSync(join(ROOT, 'wasm', name)), name);
-});
-
 /** Runs code in a separate folder, with more `files`; `check` gets the output and the folder. */
 async function runCode(code, check, files = {}) {
   assert.ok(code, 'there is no example');
