@@ -1,7 +1,7 @@
 // All test suites, one per line. A suite's name is its folder below tests/.
 
 import { join } from 'node:path';
-import { buildBench } from '../tests/bench/support/meshes.mjs';
+import { buildBench } from '../tests/bench/support/program.mjs';
 import { buildNative, buildSanitized, buildWasm, buildWeb, TESTED } from './build.mjs';
 import { withBrowsers } from './lib/browsers.mjs';
 import { CHECKED_BUILDS, checkJobs } from './lib/checks.mjs';

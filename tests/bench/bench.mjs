@@ -7,8 +7,9 @@ import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { ROOT } from '../../scripts/lib/paths.mjs';
 import { Failure, run, runMain } from '../../scripts/lib/run.mjs';
-import { benchMeshes, buildBench, PROGRAM } from './support/meshes.mjs';
+import { benchMeshes } from './support/meshes.mjs';
 import { benchOptions } from './support/options.mjs';
+import { buildBench, PROGRAM } from './support/program.mjs';
 import {
   appendCsv,
   complaints,
@@ -56,12 +57,14 @@ const COLUMNS = [
 ];
 
 async function measure(mesh, { t, repeatFor }) {
-  const path = await mesh.make();
-  const args = ['run', path, String(t), String(repeatFor(mesh.faces))];
+  const made = await mesh.make();
+  if (!made) return [];
+  const { path, faces } = made;
+  const args = ['run', path, String(t), String(repeatFor(faces))];
   const { code, output } = await run(PROGRAM, args, { capture: true, env: ENV });
   rmSync(path);
   if (code !== 0) throw new Failure(`${mesh.name}: ${output.trim()}`);
-  return { mesh: mesh.name, ...JSON.parse(output) };
+  return [{ mesh: mesh.name, ...JSON.parse(output) }];
 }
 
 function printExponents(rows) {
@@ -81,7 +84,7 @@ await runMain(async () => {
   const rows = [];
   for (const mesh of benchMeshes(options)) {
     console.log(`measuring ${mesh.name}`);
-    rows.push(await measure(mesh, options));
+    rows.push(...(await measure(mesh, options)));
   }
   console.log('');
   printTable(COLUMNS, rows);

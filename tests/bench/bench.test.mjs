@@ -12,7 +12,7 @@ const bench = (...args) =>
 describe('results are valid and take no more Newton steps than recorded', () => {
   for (const t of [2, 1])
     test(`10 k faces at t = ${t}`, () => {
-      const args = ['--sizes', '10k', '--face', 'none', '--t', `${t}`, '--repeat', '1', '--check'];
+      const args = ['--sizes', '10k', '--scans', 'none', '--t', `${t}`, '--repeat', '1', '--check'];
       const { status, stdout, stderr } = bench(...args);
       assert.equal(status, 0, stdout + stderr);
       assert.match(stdout, /^head-10k +10040 /m);
@@ -30,7 +30,7 @@ test('invalid results and grown counts are complained about, and nothing else', 
 });
 
 test('options that make no sense are refused with the list of options', () => {
-  for (const args of [['--sizes', 'big'], ['--t', '0'], ['--face', '-1'], ['--fast']]) {
+  for (const args of [['--sizes', 'big'], ['--t', '0'], ['--scans', 'nose+1'], ['--fast']]) {
     const { status, stderr } = bench(...args);
     assert.equal(status, 1, args.join(' '));
     assert.match(stderr, /--sizes 10k,100k/);

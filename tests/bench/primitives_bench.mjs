@@ -10,9 +10,9 @@ import { parseArgs } from 'node:util';
 import { buildNative } from '../../scripts/build.mjs';
 import { NATIVE_PROGRAM } from '../../scripts/lib/paths.mjs';
 import { Failure, runMain } from '../../scripts/lib/run.mjs';
+import { writeMesh } from './support/mesh_files.mjs';
 import { PRIMITIVES, writePrimitive } from './support/primitives.mjs';
 import { printTable } from './support/results.mjs';
-import { writeUnwrapMesh } from './support/unwrap_meshes.mjs';
 
 const REFERENCE = 'iso-64';
 
@@ -79,7 +79,7 @@ function measure(name, { path, faces }, { repeat, limit }) {
 async function main() {
   const options = optionsOf(process.argv.slice(2));
   await buildNative();
-  const reference = measure(REFERENCE, writeUnwrapMesh(REFERENCE), options);
+  const reference = measure(REFERENCE, await writeMesh(REFERENCE), options);
   const rows = [{ ...reference, ratio: 1 }];
   for (const family of options.families)
     for (const size of options.sizes) {

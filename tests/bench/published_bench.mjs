@@ -2,7 +2,8 @@
 // Compares unwrapping with the published figures of other programs, on the same public meshes: with
 // PartUV's table, and with OptCuts at equal stretch.
 // Usage: npm run bench:published -- [options of abflat unwrap]
-// Meshes are in ABFLAT_PUBLISHED_MESHES, or in ../shared/meshes2.
+// Meshes are in ABFLAT_PUBLISHED_MESHES, or in ../shared/meshes2. Without any of them, it measures
+// others, of which no figures are published.
 
 import { existsSync, mkdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -10,6 +11,7 @@ import { buildNative } from '../../scripts/build.mjs';
 import { BUILD, ROOT } from '../../scripts/lib/paths.mjs';
 import { Failure, runMain } from '../../scripts/lib/run.mjs';
 import { measureLayout } from './support/layout_measures.mjs';
+import { writeMesh } from './support/mesh_files.mjs';
 import {
   mostStretched,
   publishedOptCuts,
@@ -77,16 +79,22 @@ const OPTCUTS_LEGEND = `
 *: SD/4 above OptCuts', seam3 more than 1.2 times as long, or s more than a 50th
 seam3: length of chart outlines on the surface over the root of its area, so that seams count twice`;
 
-/** Prints a sentence and returns undefined if there is no such mesh. */
-function fileOf(mesh) {
-  const path = join(MESHES, `${mesh}.obj`);
-  if (existsSync(path)) return path;
-  console.log(`skipped: ${path}, which does not exist`);
+/** Some of the published meshes. */
+const SOURCE = 'https://github.com/alecjacobson/common-3d-test-models';
+const STAND_INS = ['bunny-4k+1', 'bunny-4k+2'];
+
+const pathOf = (mesh) => join(MESHES, `${mesh}.obj`);
+
+/** Prints a sentence if there is no such mesh. */
+function isThere(mesh) {
+  if (existsSync(pathOf(mesh))) return true;
+  console.log(`skipped: ${pathOf(mesh)}, which does not exist`);
+  return false;
 }
 
-async function measure(mesh, options) {
+async function measure(mesh, options, path = pathOf(mesh)) {
   const output = join(FOLDER, `${mesh}-uv.obj`);
-  const { report, layout } = await unwrapped(fileOf(mesh), output, options, REPEAT);
+  const { report, layout } = await unwrapped(path, output, options, REPEAT);
   rmSync(output);
   const seconds = report.timings.total;
   return { mesh, program: 'abflat', seconds, valid: report.valid, ...measureLayout(layout) };
@@ -95,7 +103,7 @@ async function measure(mesh, options) {
 async function besidePartUv(options) {
   const { source, tables } = publishedUnwrappers();
   const rows = [];
-  for (const { mesh, rows: others } of tables.filter((table) => fileOf(table.mesh))) {
+  for (const { mesh, rows: others } of tables.filter((table) => isThere(table.mesh))) {
     const row = await measure(mesh, options);
     row.worse = worseThanPartUv(
       row,
@@ -122,7 +130,7 @@ function meanRow(rows) {
 async function besideOptCuts(options) {
   const { source, rows: others } = publishedOptCuts();
   const rows = [];
-  for (const other of others.filter(({ mesh }) => fileOf(mesh))) {
+  for (const other of others.filter(({ mesh }) => isThere(mesh))) {
     const runs = [];
     for (const maxStretch of STRETCHES) {
       const bound = [...AS_OPTCUTS, '--max-stretch', `${maxStretch}`];
@@ -143,6 +151,19 @@ async function besideOptCuts(options) {
   return ours;
 }
 
+async function standIns(options) {
+  console.log(`\nno published mesh is in ${MESHES}; some are at ${SOURCE}\n`);
+  const rows = [];
+  for (const name of STAND_INS) {
+    const { path } = await writeMesh(name);
+    rows.push(await measure(name, options, path));
+  }
+  console.log('');
+  printTable(COLUMNS, rows);
+  console.log(LEGEND);
+  return rows;
+}
+
 await runMain(async () => {
   const options = process.argv.slice(2).filter((arg) => arg !== '--');
   await buildNative();
@@ -151,6 +172,7 @@ await runMain(async () => {
     ...(await besidePartUv(options)),
     ...(await besideOptCuts(withoutOptions(options, OWN_OF_OPTCUTS))),
   ];
+  if (rows.length === 0) rows.push(...(await standIns(options)));
   const invalid = rows.filter((row) => row.valid === false).map((row) => row.mesh);
   if (invalid.length > 0) throw new Failure(`not valid: ${invalid.join(', ')}`);
 });

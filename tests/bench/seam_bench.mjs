@@ -2,6 +2,7 @@
 // Shows how seams look: a picture of each mesh from four sides beside its layout, with measures of
 // them.
 // Usage: npm run bench:seams -- FOLDER MESH... [-- options of abflat unwrap]
+// A mesh is a file, or a name of `npm run bench:meshes`.
 // Writes FOLDER/NAME.png: the layout, the mesh from the front and from the right; from above, from
 // the left and from behind. Seams are red, boundaries blue.
 
@@ -10,6 +11,7 @@ import { join, parse } from 'node:path';
 import { buildNative } from '../../scripts/build.mjs';
 import { Failure, runMain } from '../../scripts/lib/run.mjs';
 import { measureLayout } from './support/layout_measures.mjs';
+import { meshName, writeMesh } from './support/mesh_files.mjs';
 import { printTable } from './support/results.mjs';
 import { seamPainter } from './support/seam_sheets.mjs';
 import { unwrapped } from './support/unwrap_runs.mjs';
@@ -33,7 +35,7 @@ function argumentsOf(args) {
   const [folder, ...meshes] = end < 0 ? args : args.slice(0, end);
   if (meshes.length === 0)
     throw new Failure('Usage: npm run bench:seams -- FOLDER MESH... [-- options of abflat unwrap]');
-  const missing = meshes.find((file) => !existsSync(file));
+  const missing = meshes.find((mesh) => !existsSync(mesh) && !meshName(mesh));
   if (missing) throw new Failure(`There is no file ${missing}.`);
   return { folder, meshes, options: end < 0 ? [] : args.slice(end + 1) };
 }
@@ -45,7 +47,9 @@ await runMain(async () => {
   const painter = await seamPainter();
   const rows = [];
   try {
-    for (const file of meshes) {
+    for (const mesh of meshes) {
+      const file = existsSync(mesh) ? mesh : (await writeMesh(mesh))?.path;
+      if (!file) continue;
       const { name } = parse(file);
       const output = join(folder, `${name}-uv.obj`);
       const { report, layout } = await unwrapped(file, output, options, 1);

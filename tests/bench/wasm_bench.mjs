@@ -9,8 +9,9 @@ import { buildWasm } from '../../scripts/build.mjs';
 import { ROOT } from '../../scripts/lib/paths.mjs';
 import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { Failure, run, runMain } from '../../scripts/lib/run.mjs';
-import { BASELINE, benchMeshes, buildBench, PROGRAM } from './support/meshes.mjs';
+import { benchMeshes } from './support/meshes.mjs';
 import { benchOptions } from './support/options.mjs';
+import { BASELINE, buildBench, PROGRAM } from './support/program.mjs';
 import {
   appendCsv,
   complaints,
@@ -70,8 +71,10 @@ async function jsonOf(name, program, args) {
 }
 
 async function measure(mesh, { t, repeatFor }) {
-  const path = await mesh.make();
-  const repeat = repeatFor(mesh.faces);
+  const made = await mesh.make();
+  if (!made) return [];
+  const { path, faces } = made;
+  const repeat = repeatFor(faces);
   const args = [path, String(t), String(repeat)];
   const self = fileURLToPath(import.meta.url);
   const natively = (program) => jsonOf(mesh.name, program, ['plain', ...args]);
@@ -84,7 +87,7 @@ async function measure(mesh, { t, repeatFor }) {
   const baseline = await natively(BASELINE);
   const after = await natively(PROGRAM);
   rmSync(path);
-  return {
+  const row = {
     mesh: mesh.name,
     ...simd,
     plainSolve: plain.solve,
@@ -95,6 +98,7 @@ async function measure(mesh, { t, repeatFor }) {
     chromium,
     drift: after.solve / before.solve,
   };
+  return [row];
 }
 
 async function main() {
@@ -105,7 +109,7 @@ async function main() {
   const rows = [];
   for (const mesh of benchMeshes(options)) {
     console.log(`measuring ${mesh.name}`);
-    rows.push(await measure(mesh, options));
+    rows.push(...(await measure(mesh, options)));
   }
   console.log('');
   printTable(COLUMNS, rows);

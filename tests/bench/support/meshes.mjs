@@ -1,49 +1,37 @@
-// The benchmarks' meshes, as OBJ files in build/bench.
+// The meshes of the benchmarks that flatten.
 
-import { existsSync, mkdirSync, statSync } from 'node:fs';
+import { rmSync } from 'node:fs';
 import { join } from 'node:path';
-import { cmakeBuild } from '../../../scripts/lib/cmake.mjs';
-import { BUILD, ROOT } from '../../../scripts/lib/paths.mjs';
 import { mustRun } from '../../../scripts/lib/run.mjs';
-import { setup } from '../../../scripts/setup.mjs';
+import { writeMesh } from './mesh_files.mjs';
+import { FOLDER, PROGRAM } from './program.mjs';
 
-export const PROGRAM = join(BUILD, 'native/tests/abflat_flatten_bench');
-/** The same with only the vector instructions that every x86-64 has. */
-export const BASELINE = join(BUILD, 'native/tests/abflat_baseline_bench');
-const FOLDER = join(BUILD, 'bench');
-const FACE = join(ROOT, '../shared/meshes/face.obj');
-/** Approximately, for face.obj. */
-const BYTES_PER_FACE = 60;
-
-export async function buildBench(targets = ['abflat_flatten_bench']) {
-  await setup(['build']);
-  await cmakeBuild('native', {
-    settings: { ABFLAT_TESTS: 'ON' },
-    targets,
-  });
-  mkdirSync(FOLDER, { recursive: true });
-}
-
-/** The meshes asked for: `{ name, faces, isHead, make }`; `make` writes the file and names it. */
-export function benchMeshes({ sizes, levels }) {
-  const write = (name, args) => async () => {
-    const path = join(FOLDER, `${name}.obj`);
-    await mustRun(PROGRAM, [...args, path]);
-    return path;
-  };
+/**
+ * The meshes asked for: `{ name, make }`. `make` writes the file and resolves to `{ path, faces }`,
+ * to undefined if it is made of a mesh that is missing.
+ */
+export function benchMeshes({ sizes, scans }) {
   const heads = sizes.map(({ name, faces }) => ({
     name,
-    faces,
-    isHead: true,
-    make: write(name, ['make', String(faces)]),
+    make: async () => {
+      const path = join(FOLDER, `${name}.obj`);
+      await mustRun(PROGRAM, ['make', String(faces), path]);
+      return { path, faces };
+    },
   }));
-  if (levels.length > 0 && !existsSync(FACE))
-    console.log(`skipped: subdivisions of ${FACE}, which does not exist`);
-  const faces = (existsSync(FACE) ? levels : []).map((level) => ({
-    name: `face+${level}`,
-    faces: (statSync(FACE).size / BYTES_PER_FACE) * 4 ** level,
-    isHead: false,
-    make: write(`face+${level}`, ['subdivide', FACE, String(level)]),
-  }));
-  return [...heads, ...faces];
+  return [...heads, ...scans.map(({ base, levels }) => scan(base, levels))];
+}
+
+/** A mesh whose faces are split into four `levels` times. */
+function scan(base, levels) {
+  const name = `${base}+${levels}`;
+  const make = async () => {
+    const coarse = await writeMesh(base);
+    if (!coarse) return undefined;
+    const path = join(FOLDER, `${name}.obj`);
+    await mustRun(PROGRAM, ['subdivide', coarse.path, String(levels), path]);
+    rmSync(coarse.path);
+    return { path, faces: coarse.faces * 4 ** levels };
+  };
+  return { name, make };
 }

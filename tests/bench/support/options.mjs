@@ -2,10 +2,13 @@
 
 import { parseArgs } from 'node:util';
 import { Failure } from '../../../scripts/lib/run.mjs';
+import { meshName } from './mesh_files.mjs';
 
 const USAGE = `Options:
   --sizes 10k,100k,360k,1.4M  faces of the generated heads
-  --face 0,1                  subdivisions of ../shared/meshes/face.obj, where it is present; "none": without
+  --scans bunny-disk+3,face+0,face+1
+                              disks, each face split into four so many times; "none": without. "face" is
+                              ../shared/meshes/face.obj, and skipped where that is missing
   --t 2                       bound of the boundary angles, times pi
   --repeat 5                  medians of so many runs; of one from 1 M faces on, unless given
   --csv [FILE]                append the rows to FILE
@@ -19,6 +22,12 @@ function facesOf(word) {
   if (!match)
     throw new Failure(`"${word}" is not a number of faces such as 10k or 1.4M.\n${USAGE}`);
   return Math.round(Number(match[1]) * (SUFFIXES[match[2]] ?? 1));
+}
+
+function scanOf(word) {
+  const name = meshName(word);
+  if (!name) throw new Failure(`"${word}" is not a mesh such as bunny-disk+2.\n${USAGE}`);
+  return name;
 }
 
 function numberOf(word, name, isGood) {
@@ -41,7 +50,7 @@ function parse(args) {
       args,
       options: {
         sizes: text('10k,100k,360k,1.4M'),
-        face: text('0,1'),
+        scans: text('bunny-disk+3,face+0,face+1'),
         t: text('2'),
         repeat: { type: 'string' },
         csv: { type: 'string' },
@@ -62,15 +71,11 @@ export function benchOptions(args, csvFile) {
     console.log(USAGE);
     return undefined;
   }
-  const isCount = (n) => Number.isInteger(n) && n >= 0;
   const repeat =
     values.repeat && numberOf(values.repeat, 'repeat', (n) => Number.isInteger(n) && n > 0);
   return {
     sizes: values.sizes.split(',').map((word) => ({ name: `head-${word}`, faces: facesOf(word) })),
-    levels:
-      values.face === 'none'
-        ? []
-        : values.face.split(',').map((word) => numberOf(word, 'face', isCount)),
+    scans: values.scans === 'none' ? [] : values.scans.split(',').map(scanOf),
     t: numberOf(values.t, 't', (n) => n > 0),
     repeatFor: (faces) => repeat ?? (faces >= LARGE ? 1 : 5),
     csv: values.csv,
