@@ -11,7 +11,7 @@
 namespace abflat {
 
 double peakMemory() {
-  constexpr double kMegabyte = 1024.0 * 1024.0;
+  [[maybe_unused]] constexpr double kMegabyte = 1024.0 * 1024.0;
 #if defined(__EMSCRIPTEN__)
   return static_cast<double>(emscripten_get_heap_size()) / kMegabyte;
 #elif defined(__unix__) || defined(__APPLE__)

@@ -201,7 +201,7 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
     if (Status s = searchMore({uncut, cuts}, variants, settings, cut); !s.ok()) return s;
   surface.fans = Fans();
   rectifyAll(
-      options, unit, pool, [&] { return monitor.tell(kSolve, 1); }, cut.charts);
+      options, unit, pool, [&] { return monitor.tellAgain(); }, cut.charts);
 
   if (!stages.enter(kPack)) return aborted();
   settings.stage = &UnwrapStages::pack;

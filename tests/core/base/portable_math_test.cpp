@@ -16,6 +16,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPi = 3.14159265358979323846;
 
+/// Angles up to which the C library knows sines to more digits than a double has. That of Windows
+/// asks the processor, whose pi is too short for large ones.
+#ifdef _WIN32
+constexpr double kRangesOfAngles[] = {1e-9, 1.0};
+#else
+constexpr double kRangesOfAngles[] = {1e-9, 1.0, kPi, 100.0, 1e5};
+#endif
+
 /// Distance from the truth, in units in its last place.
 double error(double value, long double truth) {
   const double rounded = std::abs(static_cast<double>(truth));
@@ -41,7 +49,7 @@ std::uint64_t bitsOf(double x) {
 }  // namespace
 
 TEST_CASE("portable functions are as exact as they promise", "[math]") {
-  for (const double range : {1e-9, 1.0, kPi, 100.0, 1e5}) {
+  for (const double range : kRangesOfAngles) {
     CHECK(worst(-range, range, [](double x) {
             return error(portable::sin(x), std::sin(static_cast<long double>(x)));
           }) < 1.5);

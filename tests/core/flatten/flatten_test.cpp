@@ -233,26 +233,9 @@ TEST_CASE("progress is called through all stages and can cancel in each") {
   }
 }
 
-TEST_CASE("every linear solver and formulation gives the same layout and is reported") {
+TEST_CASE("the factorisation of Eigen gives the same layout and is reported") {
   const PolygonMesh mesh = bumpyGrid(8, 7, 0.3, 5);
   const FlattenResult wanted = flattened(mesh, 1);
-  for (const LinearSolver solver :
-       {LinearSolver::Minres, LinearSolver::Symmlq, LinearSolver::Gmres, LinearSolver::Bicgstab})
-    for (const Formulation formulation : {Formulation::Log, Formulation::Product}) {
-      FlattenOptions options;
-      options.t = 1;
-      options.linearSolver = solver;
-      options.formulation = formulation;
-      const Result<FlattenResult> r = flatten(mesh, options);
-      REQUIRE(r.ok());
-      const ChartReport& chart = r.value.report.charts.front();
-      CHECK(chart.valid);
-      CHECK(chart.linearSolver == solver);
-      CHECK(chart.formulation == formulation);
-      CHECK(chart.history.front().linearIterations > 0);
-      for (std::size_t i = 0; i < wanted.uv.size(); ++i)
-        CHECK(std::abs(r.value.uv[i] - wanted.uv[i]) < 1e-6);
-    }
   FlattenOptions options;
   options.t = 1;
   options.linearSolver = LinearSolver::Eigen;
