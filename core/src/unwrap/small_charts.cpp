@@ -1,9 +1,7 @@
 #include "unwrap/small_charts.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/constants.h"
 #include "base/stable_order.h"
 #include "unwrap/expected_density.h"
 #include "unwrap/stretch.h"
@@ -14,7 +12,6 @@ namespace {
 /// Consecutive edges of a chart's outline with the same chart on their other side.
 struct Border {
   CutChartId other;
-  SurfaceCorner edge;                ///< the first one
   std::size_t first = 0, count = 0;  ///< on the outline
   double cost = 0;                   ///< of the seam
 };
@@ -40,31 +37,25 @@ class Borders {
     return length > 0 ? 2 * cut_.charts[i].area / length : 0;
   }
 
-  /// The dearest one where the seam may be closed, which makes one disk of two, with no vertex
-  /// inside that is more than `mostCurved` from flat, in radians. No edges: none.
+  /// The dearest one where the seam may be closed, which makes one disk of two. No edges: none.
   template <class IsAllowed>
-  Border dearest(CutChartId i, double mostCurved, const IsAllowed& isAllowed) const {
+  Border dearest(CutChartId i, const IsAllowed& isAllowed) const {
     Border best, run;
     const BoundaryLoop loop = cut_.outline(i);
-    const std::size_t size = loop.size(), begin = firstEnd(loop, mostCurved);
+    const std::size_t size = loop.size(), begin = firstEnd(loop);
     SurfaceCorner last;
-    const auto takeRun = [&] {
-      // A sphere is no disk: where two charts share all of their outlines, a slit stays.
-      if (run.count == size && goesOn(last, run.edge, mostCurved)) --run.count;
-      if (run.cost > best.cost && isAllowed(run)) best = run;
-    };
     for (std::size_t k = begin; k < begin + size; ++k) {
       const SurfaceCorner h = loop[BoundaryIndex(k % size)];
       if (!canClose(h)) continue;
-      if (!last.exists() || !goesOn(last, h, mostCurved)) {
-        takeRun();
-        run = {cut_.chartOf(open_.mesh.twin[h]), h, k % size, 0, 0};
-      }
+      if (!last.exists() || !goesOn(last, h))
+        run = {cut_.chartOf(open_.mesh.twin[h]), k % size, 0, 0};
       ++run.count;
       run.cost += open_.mesh.cost[h];
       last = h;
+      if (run.cost > best.cost && isAllowed(run.other)) best = run;
     }
-    takeRun();
+    // A sphere is no disk: where two charts share all of their outlines, a slit stays.
+    if (best.count == size && goesOn(last, loop[BoundaryIndex(best.first)])) --best.count;
     return best;
   }
 
@@ -76,18 +67,17 @@ class Borders {
   }
 
   /// Whether the second edge follows the first along both outlines, in opposite directions.
-  bool goesOn(SurfaceCorner h, SurfaceCorner following, double mostCurved) const {
-    const SeamMesh& mesh = open_.mesh;
-    return canClose(h) && next_[h] == following && next_[mesh.twin[following]] == mesh.twin[h] &&
-           std::abs(mesh.angleSum[mesh.head(h)] - 2 * kPi) <= mostCurved;
+  bool goesOn(SurfaceCorner h, SurfaceCorner following) const {
+    return canClose(h) && next_[h] == following &&
+           next_[open_.mesh.twin[following]] == open_.mesh.twin[h];
   }
 
   /// Where along the loop a border may begin.
-  std::size_t firstEnd(const BoundaryLoop& loop, double mostCurved) const {
+  std::size_t firstEnd(const BoundaryLoop& loop) const {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const SurfaceCorner h = loop[BoundaryIndex(k)];
-      const SurfaceCorner last = loop[BoundaryIndex((k + loop.size() - 1) % loop.size())];
-      if (!canClose(h) || !goesOn(last, h, mostCurved)) return k;
+      if (!canClose(h) || !goesOn(loop[BoundaryIndex((k + loop.size() - 1) % loop.size())], h))
+        return k;
     }
     return 0;
   }
@@ -107,8 +97,6 @@ bool isExact(const FlatChart& chart) {
 Seams SmallCharts::join(const LaidCharts& charts, const UnwrapOptions& options, OpenSurface& open) {
   constexpr double kShare = 1e-3, kTexels = 8;
   constexpr std::size_t kMostTriangles = 50'000;  // of a neighbour that is laid out anew
-  // Around a vertex, of a border that is tried if all of it is refused, and where both are exact.
-  constexpr double kBend = 0.3, kExactBend = 1e-5;
   open.seams.resize(open.mesh.twin.size(), 0);
   const Borders borders(open);
   const CutSurface& cut = borders.cut();
@@ -128,24 +116,18 @@ Seams SmallCharts::join(const LaidCharts& charts, const UnwrapOptions& options, 
         charts.flat[charts.set.ofTriangle[chart.firstTriangle]].isFixed ||
         (chart.area >= kShare * area && borders.width(i) >= least))
       continue;
-    const auto flatOf = [&](CutChartId j) -> const FlatChart& {
-      return charts.flat[charts.set.ofTriangle[cut.charts[j].firstTriangle]];
+    const auto pairWith = [&](CutChartId j) {
+      return Pair{chart.firstTriangle, cut.charts[j].firstTriangle};
     };
-    Border border;
-    for (const double mostCurved : {HUGE_VAL, kBend, kExactBend}) {
-      border = borders.dearest(i, mostCurved, [&](const Border& b) {
-        const CutChartId j = b.other;
-        const bool areExact = isExact(flatOf(i)) && isExact(flatOf(j));
-        return role[j] != Role::Guest && (role[j] == Role::None || isFirst_) &&
-               cut.charts[j].isDisk() && cut.charts[j].triangles <= kMostTriangles &&
-               (!areExact || mostCurved == kExactBend) && !isRefused({b.edge, b.count});
-      });
-      if (border.count > 0) break;
-    }
+    const Border border = borders.dearest(i, [&](CutChartId j) {
+      return role[j] != Role::Guest && (role[j] == Role::None || isFirst_) &&
+             cut.charts[j].isDisk() && cut.charts[j].triangles <= kMostTriangles &&
+             !isRefused(pairWith(j));
+    });
     if (border.count == 0) continue;
     role[i] = Role::Guest;
     role[border.other] = Role::Host;
-    joined_.push_back({border.edge, border.count});
+    joined_.push_back(pairWith(border.other));
     const BoundaryLoop loop = cut.outline(i);
     for (std::size_t n = 0; n < border.count; ++n) {
       const SurfaceCorner h = loop[BoundaryIndex((border.first + n) % loop.size())];
@@ -174,10 +156,10 @@ IdVector<ChartId, std::uint8_t> SmallCharts::refused(const LaidCharts& before,
                                      (wasExact[i] && !isExact(flat))));
   }
   if (mirror) spread(mirror, now.set, isBad);
-  for (const Joint& joint : joined_) {
-    const ChartId i = now.set.ofTriangle[triangleOf(joint.first)];
+  for (const Pair& pair : joined_) {
+    const ChartId i = now.set.ofTriangle[pair.first];
     // Where one of several spoils it, each gets another chance alone, unless its image would not.
-    if (isBad[i] && (parts[i] == 2 || mirror)) refused_.push_back(joint);
+    if (isBad[i] && (parts[i] == 2 || mirror)) refused_.push_back(pair);
   }
   isFirst_ = false;
   IdVector<ChartId, std::uint8_t> out;
@@ -188,14 +170,13 @@ IdVector<ChartId, std::uint8_t> SmallCharts::refused(const LaidCharts& before,
 /// To the images of what is joined.
 void SmallCharts::spread(const Mirror& mirror, const ChartSet& set,
                          IdVector<ChartId, std::uint8_t>& isBad) const {
-  for (const Joint& joint : joined_) {
-    const SurfaceTriangle guest = triangleOf(joint.first);
-    for (const SurfaceCorner h : cornersOf(guest)) {
-      const SurfaceCorner image = mirror.image[h];
+  for (const Pair& pair : joined_)
+    for (int k = 0; k < 3; ++k) {
+      const SurfaceCorner image = mirror.image[cornerOf(pair.first, k)];
       if (!image.exists() || !(triangleOf(image) < set.ofTriangle.size())) continue;
-      isBad[set.ofTriangle[guest]] |= isBad[set.ofTriangle[triangleOf(image)]];
+      const ChartId there = set.ofTriangle[triangleOf(image)];
+      isBad[set.ofTriangle[pair.first]] |= isBad[there];
     }
-  }
 }
 
 }  // namespace abflat

@@ -24,18 +24,18 @@ class SmallCharts {
                                           const UnwrapOptionValues& options, const Mirror& mirror);
 
  private:
-  /// The first edge of the border along which a small chart is joined, and how many there are.
-  using Joint = std::pair<SurfaceCorner, std::size_t>;
+  /// The first triangles of a small chart and of the neighbour that it is joined to.
+  using Pair = std::pair<SurfaceTriangle, SurfaceTriangle>;
 
-  bool isRefused(const Joint& joint) const {
-    return std::find(refused_.begin(), refused_.end(), joint) != refused_.end();
+  bool isRefused(const Pair& pair) const {
+    return std::find(refused_.begin(), refused_.end(), pair) != refused_.end();
   }
   void spread(const Mirror& mirror, const ChartSet& set,
               IdVector<ChartId, std::uint8_t>& isBad) const;
 
   bool isFirst_ = true;
-  std::vector<Joint> joined_;  ///< in this round
-  std::vector<Joint> refused_;
+  std::vector<Pair> joined_;  ///< in this round
+  std::vector<Pair> refused_;
 };
 
 }  // namespace abflat

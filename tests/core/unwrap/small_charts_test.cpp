@@ -25,34 +25,17 @@ PolygonMesh sheet() {
   return makeTriangleMesh(positions, triangles);
 }
 
-/// A surface and its seams.
-struct SeamedMesh {
-  Cuttable c;
+/// A sheet of squares that is cut into two or three charts.
+struct CutSheet {
+  Cuttable c{sheet()};
   OpenSurface open;
 
-  explicit SeamedMesh(const PolygonMesh& mesh) : c(mesh) {
+  /// `chartOf`: the chart in which a square lies.
+  template <class ChartOf>
+  explicit CutSheet(ChartOf chartOf) {
     open.mesh = c.seamMesh;
     open.inputVertex = c.surface.fans.inputVertex;
     open.seams = Seams(open.mesh.twin.size(), 0);
-  }
-
-  LaidCharts laid() const {
-    LaidCharts out;
-    out.set = makeCharts(c.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
-    out.flat.resize(out.set.size());
-    return out;
-  }
-
-  std::size_t seamEdges() const {
-    return static_cast<std::size_t>(std::count(open.seams.begin(), open.seams.end(), 1)) / 2;
-  }
-};
-
-/// A sheet of squares that is cut into two or three charts.
-struct CutSheet : SeamedMesh {
-  /// `chartOf`: the chart in which a square lies.
-  template <class ChartOf>
-  explicit CutSheet(ChartOf chartOf) : SeamedMesh(sheet()) {
     for (const SurfaceCorner h : open.seams.ids()) {
       const SurfaceCorner o = open.mesh.twin[h];
       open.seams[h] = o.exists() && squareOf(h, chartOf) != squareOf(o, chartOf);
@@ -75,24 +58,18 @@ struct CutSheet : SeamedMesh {
     for (const SurfaceCorner h : open.seams.ids())
       if (mesh.twin[h].exists() && isOn(mesh.tail(h)) && isOn(mesh.head(h))) open.seams[h] = 1;
   }
-};
 
-/// A tower without a floor, whose roof is a chart, as is the strip of its walls.
-SeamedMesh tower() {
-  constexpr double kHigh = 30;
-  SeamedMesh out(makeTriangleMesh(
-      {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, kHigh, 1, 0, kHigh, 1, 1, kHigh, 0, 1, kHigh},
-      {0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7, 4, 5, 6, 4, 6, 7}));
-  const SeamMesh& mesh = out.open.mesh;
-  const auto isCut = [](unsigned a, unsigned b) {
-    const bool isEave = a >= 4 && b >= 4 && a + b != 10;
-    return isEave || (a == 0 && b == 4) || (a == 4 && b == 0);
-  };
-  for (const SurfaceCorner h : out.open.seams.ids())
-    out.open.seams[h] = mesh.twin[h].exists() && isCut(out.open.inputVertex[mesh.tail(h)],
-                                                       out.open.inputVertex[mesh.head(h)]);
-  return out;
-}
+  LaidCharts laid() const {
+    LaidCharts out;
+    out.set = makeCharts(c.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
+    out.flat.resize(out.set.size());
+    return out;
+  }
+
+  std::size_t seamEdges() const {
+    return static_cast<std::size_t>(std::count(open.seams.begin(), open.seams.end(), 1)) / 2;
+  }
+};
 
 /// A square in the middle of the sheet, with a cut from the border to its corner.
 CutSheet island() {
@@ -141,36 +118,6 @@ TEST_CASE("a union that is bad is taken back and not tried again", "[unwrap]") {
     sheet.open.seams = seams;
     CHECK(small.join(before, options(), sheet.open).empty() == each.isRefused);
   }
-}
-
-TEST_CASE("what is exact is joined where it stays exact, at a single crease", "[unwrap]") {
-  SeamedMesh cut = tower();
-  const LaidCharts before = cut.laid();
-  REQUIRE(before.set.size() == 2);
-  REQUIRE(cut.seamEdges() == 5);
-  SmallCharts small;
-  CHECK_FALSE(small.join(before, options(), cut.open).empty());
-  CHECK(cut.seamEdges() == 4);
-  CHECK(cut.laid().set.size() == 1);
-}
-
-TEST_CASE("where all of a border is refused, its straight parts are tried", "[unwrap]") {
-  SeamedMesh cut = tower();
-  LaidCharts before = cut.laid();
-  for (FlatChart& chart : before.flat) chart.distortion.symmetricDirichlet = 1.001;
-  SmallCharts small;
-  for (const std::size_t left : {1u, 4u, 4u, 4u, 4u}) {
-    const Seams seams = small.join(before, options(), cut.open);
-    REQUIRE_FALSE(seams.empty());
-    CHECK(cut.seamEdges() == left);
-    LaidCharts now = cut.laid();
-    REQUIRE(now.set.size() == 1);
-    now.flat[ChartId(0)].distortion.symmetricDirichlet = 2;
-    const IdVector<ChartId, std::uint8_t> refused = small.refused(before, now, options(), {});
-    CHECK(std::count(refused.begin(), refused.end(), 1) == 2);
-    cut.open.seams = seams;
-  }
-  CHECK(small.join(before, options(), cut.open).empty());
 }
 
 TEST_CASE("what is large, wide and cut off by given seams stays", "[unwrap]") {
