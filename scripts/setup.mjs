@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 // Installs what is missing: system packages on Debian and Ubuntu, npm packages everywhere.
-// Usage: setup.mjs [page] [build] [test] [lint] [coverage] [fuzz]   (default: build test lint)
+// Usage: setup.mjs [page] [build] [test] [lint] [coverage] [fuzz] [platforms]
+// (default: build test lint)
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,8 +12,8 @@ import { Failure, mustRun, runMain, which } from './lib/run.mjs';
 import { filesBelow, fingerprint } from './lib/stamp.mjs';
 
 const LEAST_NODE = 20;
-const PURPOSES = ['page', 'build', 'test', 'lint', 'coverage', 'fuzz'];
-/** What to check for if nothing is named: coverage and fuzzing are rarely needed. */
+const PURPOSES = ['page', 'build', 'test', 'lint', 'coverage', 'fuzz', 'platforms'];
+/** What to check for if nothing is named: the others are rarely needed. */
 const USUAL = ['build', 'test', 'lint'];
 
 export async function setup(purposes = USUAL) {
@@ -37,10 +38,11 @@ async function installSystemPackages(purposes) {
   console.log('Missing on this system:');
   for (const { name, why } of absent) console.log(`  ${name}: ${why}`);
 
-  const fromApt = which('apt-get') ? absent.filter(isInApt) : [];
+  const wanted = absent.filter((need) => !need.isOptional || mayInstall());
+  const fromApt = which('apt-get') ? wanted.filter(isInApt) : [];
   if (fromApt.length > 0) await aptInstall(fromApt.flatMap(({ apt }) => apt));
 
-  const left = missing(purposes);
+  const left = missing(purposes).filter(({ isOptional }) => !isOptional);
   if (left.length > 0) throw new Failure(advice(left));
 }
 
@@ -53,16 +55,23 @@ function isUbuntu() {
   return existsSync(path) && /^ID=ubuntu$/m.test(readFileSync(path, 'utf8'));
 }
 
+const isRoot = () => process.getuid?.() === 0;
+const mayInstall = () => isRoot() || which('sudo') !== undefined;
+
 async function aptInstall(packages) {
-  const isRoot = process.getuid?.() === 0;
-  if (!isRoot && !which('sudo')) {
+  if (!mayInstall()) {
     throw new Failure(`Run as root: apt-get install ${packages.join(' ')}`);
   }
   // sudo drops the environment, so it is set after sudo.
-  const prefix = [...(isRoot ? [] : ['sudo']), 'env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get'];
+  const prefix = [
+    ...(isRoot() ? [] : ['sudo']),
+    'env',
+    'DEBIAN_FRONTEND=noninteractive',
+    'apt-get',
+  ];
   const apt = (args) => mustRun(prefix[0], [...prefix.slice(1), ...args]);
   console.log(
-    `Installing with apt-get${isRoot ? '' : ' (asks for your password)'}: ${packages.join(' ')}`,
+    `Installing with apt-get${isRoot() ? '' : ' (asks for your password)'}: ${packages.join(' ')}`,
   );
   await apt(['update', '-q']);
   // Without a pseudo-terminal, dpkg writes no progress bar into logs.

@@ -8,8 +8,9 @@ import { CHECKED_BUILDS, checkJobs } from './lib/checks.mjs';
 import { cmakeBuild } from './lib/cmake.mjs';
 import { profileIn } from './lib/coverage.mjs';
 import { BUILD } from './lib/paths.mjs';
+import { missingTools, PLATFORMS } from './lib/platforms.mjs';
 import { findChrome, findClang } from './lib/requirements.mjs';
-import { catchJobs, fuzzJobs, nodeJobs } from './lib/suites.mjs';
+import { catchJobs, fuzzJobs, NOT_QUALITY, nodeJobs } from './lib/suites.mjs';
 
 /** A finding ends the program in a way that cannot be mistaken for a documented exit code. */
 const SANITIZER_ENV = {
@@ -24,11 +25,7 @@ const WITHOUT = {
   folder: 'native',
   env: {},
 };
-/**
- * Tests that measure quality on many meshes take minutes with sanitizers and run nothing that
- * others do not. What is to be left out has to include what Catch2 leaves out by itself.
- */
-const NOT_QUALITY = '~[quality]~[.]';
+const EMULATED = { ...WITHOUT, purposes: [...WITHOUT.purposes, 'platforms'] };
 const SANITIZED = {
   title: (what) => `${what}, sanitizers`,
   purposes: ['build', 'test', 'fuzz'],
@@ -68,6 +65,12 @@ const countingProgram = () =>
     settings: { ABFLAT_STEPS: 'ON', ABFLAT_FOLDER_BY_FOLDER: 'OFF' },
     targets: ['abflat_scaling'],
   });
+
+/** The library for other platforms, as far as there is a compiler and something to run it. */
+const otherPlatforms = async () => {
+  for (const name of PLATFORMS.filter((platform) => missingTools(platform).length === 0))
+    await cmakeBuild(name, { isPreset: true, targets: ['abflat_core_tests', 'abflat_layouts'] });
+};
 
 /**
  * Test files of tests/FOLDER for node, several at a time; `waits`: see runPool. `env` is called
@@ -137,6 +140,7 @@ export const SUITES = [
 export const LONG_SUITES = [
   node('bundlers', [buildWasm]),
   node('scaling', [countingProgram], { what: 'steps' }),
+  node('platforms', [program, otherPlatforms], { what: 'ARM, Windows', kind: EMULATED }),
 ];
 
 /** What is run again with an instrumented program. */

@@ -12,10 +12,10 @@ export const JOBS = String(process.env.ABFLAT_JOBS ?? availableParallelism());
 /**
  * Builds into build/NAME. `settings` are CMake variables that must hold (otherwise the folder is
  * configured again), `first` those that only a new folder gets. `wrapper` (emcmake) is put before
- * cmake when configuring.
+ * cmake when configuring. With `isPreset`, NAME is also a preset with that folder.
  */
 export async function cmakeBuild(name, options = {}) {
-  const { wrapper = [], settings = {}, first = {}, env = {}, targets = [] } = options;
+  const { wrapper = [], settings = {}, first = {}, env = {}, targets = [], isPreset } = options;
   const folder = join(BUILD, name);
   const isNew = !isConfigured(folder);
   const wanted = { ABFLAT_WERROR: 'ON', ...settings };
@@ -25,7 +25,8 @@ export async function cmakeBuild(name, options = {}) {
     const generator = isNew ? ['-G', which('ninja') ? 'Ninja' : 'Unix Makefiles'] : [];
     const variables = Object.entries({ ...(isNew ? first : {}), ...wanted });
     const defines = variables.map(([key, value]) => `-D${key}=${value}`);
-    const command = [...wrapper, 'cmake', '-S', ROOT, '-B', folder, ...generator, ...defines];
+    const place = isPreset ? ['--preset', name] : ['-S', ROOT, '-B', folder];
+    const command = [...wrapper, 'cmake', ...place, ...generator, ...defines];
     await mustRun(command[0], command.slice(1), { env });
   }
   const only = targets.flatMap((target) => ['--target', target]);

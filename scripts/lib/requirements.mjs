@@ -3,6 +3,7 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
+import { missingTools } from './platforms.mjs';
 import { isProgram, which } from './run.mjs';
 
 const CHROME_NAMES = [
@@ -68,7 +69,7 @@ function emccWorks() {
 /**
  * `purpose`: what it is needed for; a full build also needs what the page needs. `apt`, `dnf`,
  * `pacman`, `brew`: its package names there; a manager without an entry does not have it, and
- * `other` says where to get it.
+ * `other` says where to get it. Without what `isOptional`, tests are skipped.
  */
 export const REQUIREMENTS = [
   {
@@ -253,5 +254,21 @@ export const REQUIREMENTS = [
     dnf: ['clang', 'compiler-rt'],
     pacman: ['clang', 'compiler-rt'],
     brew: ['llvm'],
+  },
+  {
+    name: 'C++ compiler for ARM, qemu',
+    purpose: 'platforms',
+    why: 'run the tests of the core as on ARM',
+    present: () => missingTools('aarch64').length === 0,
+    apt: ['g++-aarch64-linux-gnu', 'qemu-user'],
+    isOptional: true,
+  },
+  {
+    name: 'MinGW, wine',
+    purpose: 'platforms',
+    why: 'run the tests of the core as on Windows',
+    present: () => missingTools('windows').length === 0,
+    apt: ['g++-mingw-w64-x86-64-posix', 'wine', 'wine64'],
+    isOptional: true,
   },
 ];

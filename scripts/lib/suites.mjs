@@ -11,6 +11,12 @@ import { run } from './run.mjs';
 const SECONDS = 40 * 60;
 /** All tests of Catch2, which by default leaves out those tagged [.long]. */
 const EVERYTHING = '*';
+/**
+ * Tests that measure quality on many meshes take minutes with sanitizers or an emulator, and run
+ * nothing that others do not. What is to be left out has to include what Catch2 leaves out by
+ * itself.
+ */
+export const NOT_QUALITY = '~[quality]~[.]';
 
 /**
  * A Catch2 program; its totals count test cases. `filter` selects tests by their tags; `long`

@@ -86,6 +86,13 @@ test('with apt-get it installs what is missing, as root, and looks again', () =>
   assert.match(stderr, /Please install.*\n.*clang-format/);
 });
 
+test('without what only some tests need, it goes on', () => {
+  fake('dnf');
+  const { status, stdout, stderr } = setup('platforms');
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /C\+\+ compiler for ARM, qemu: .*\n.*MinGW, wine: /);
+});
+
 test('a failing apt-get is named', () => {
   fake('apt-get', 'exit 100');
   fake('env', 'shift; exec "$@"');
@@ -100,6 +107,6 @@ test('an unknown purpose is refused', () => {
   assert.equal(status, 1);
   assert.match(
     stderr,
-    /Unknown purpose "party"; known are: page, build, test, lint, coverage, fuzz\./,
+    /Unknown purpose "party"; known are: page, build, test, lint, coverage, fuzz, platforms\./,
   );
 });

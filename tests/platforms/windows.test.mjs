@@ -1,0 +1,5 @@
+// The core on Windows, run by wine.
+
+import { testPlatform } from './support/platform.mjs';
+
+testPlatform('windows');
