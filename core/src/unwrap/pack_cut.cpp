@@ -11,6 +11,7 @@
 #include "unwrap/packed_charts.h"
 #include "unwrap/pieces.h"
 #include "unwrap/pinned.h"
+#include "unwrap/rounding.h"
 #include "unwrap/spacing.h"
 #include "unwrap/utilization_note.h"
 

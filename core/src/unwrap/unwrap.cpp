@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "cut/front.h"
 #include "mesh/surface_map.h"
+#include "seam/given_seams.h"
 #include "unwrap/certificate.h"
 #include "unwrap/chart_shapes.h"
 #include "unwrap/densities.h"
