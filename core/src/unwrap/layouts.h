@@ -21,8 +21,6 @@ void flattenAll(const IdVector<ChartId, ChartConstraints>& constraints,
                 const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
                 const std::function<bool(double)>& tell, LaidCharts& charts);
 
-/// Whether the chart is stretched more than seams should allow.
-
 /// Per chart, whether it is stretched by more than `most` and may be cut further.
 IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat,
                                                 const UnwrapOptionValues& options);

@@ -12,6 +12,7 @@
 #include "cut/front.h"
 #include "mesh/surface_map.h"
 #include "seam/given_seams.h"
+#include "unwrap/asked_parts.h"
 #include "unwrap/certificate.h"
 #include "unwrap/chart_shapes.h"
 #include "unwrap/densities.h"
