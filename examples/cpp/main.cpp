@@ -39,15 +39,15 @@ int main(int argc, char** argv) {
   options.progress = [](const abflat::Progress&) { return true; };  // false would cancel
   const abflat::Result<abflat::UnwrapResult> result = abflat::unwrap(mesh, options);
   if (!result.ok()) {
-    std::cerr << result.status.message << "\n";
+    std::cerr << result.status().message << "\n";
     return 1;
   }
-  const abflat::UnwrapReport& report = result.value.report;
+  const abflat::UnwrapReport& report = result.value().report;
   std::cout << "abflat " << ABFLAT_VERSION << ": " << report.charts.size() << " charts, "
             << (report.valid ? "valid" : "not valid") << "\n";
   if (argc > 1) {
     std::ofstream out(argv[1], std::ios::binary);
-    out << abflat::writeObj(mesh, result.value.uv, result.value.cornerUv);
+    out << abflat::writeObj(mesh, result.value().uv, result.value().cornerUv);
     if (!out.flush()) return 1;
   }
   return report.valid ? 0 : 1;

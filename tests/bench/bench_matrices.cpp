@@ -104,12 +104,13 @@ bool makeMesh(const std::string& what, PolygonMesh& mesh) {
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const Result<MeshFormat> format = detectFormat(path, bytes);
-  Result<PolygonMesh> read = readMesh(bytes, format.value, path);
-  if (!in || !format.ok() || !read.ok()) {
+  Result<PolygonMesh> read =
+      format.ok() ? readMesh(bytes, format.value(), path) : format.status();
+  if (!in || !read.ok()) {
     std::fprintf(stderr, "%s cannot be read\n", path.c_str());
     return false;
   }
-  mesh = std::move(read.value);
+  mesh = std::move(read.value());
   for (int i = plus == std::string::npos ? 0 : std::atoi(what.c_str() + plus + 1); i > 0; --i)
     mesh = subdivided(mesh);
   return true;

@@ -38,8 +38,8 @@ bool readObj(const std::string& path, std::string& bytes, PolygonMesh& mesh) {
   Result<PolygonMesh> read =
       in ? readMesh(bytes, MeshFormat::Obj, path)
          : Status{StatusCode::UnreadableFile, path + " cannot be opened; check its name"};
-  if (!read.ok()) std::fprintf(stderr, "%s\n", read.status.message.c_str());
-  mesh = std::move(read.value);
+  if (!read.ok()) std::fprintf(stderr, "%s\n", read.status().message.c_str());
+  mesh = std::move(read.value());
   return read.ok();
 }
 
@@ -64,14 +64,14 @@ bool runOnce(const std::string& path, double t, int threads, Report& report, Pol
   options.threads = threads;
   Result<FlattenResult> flat = flatten(mesh, options);
   if (!flat.ok()) {
-    std::fprintf(stderr, "%s: %s\n", path.c_str(), flat.status.message.c_str());
+    std::fprintf(stderr, "%s: %s\n", path.c_str(), flat.status().message.c_str());
     return false;
   }
-  report = std::move(flat.value.report);
+  report = std::move(flat.value().report);
   report.timings.read = read;
   watch.lap();
   const std::string target = path + ".layout";
-  text = writeObj(mesh, flat.value.uv, flat.value.cornerUv, bytes);
+  text = writeObj(mesh, flat.value().uv, flat.value().cornerUv, bytes);
   const bool written = writeText(target, text);
   report.timings.write = watch.lap();
   std::remove(target.c_str());

@@ -55,12 +55,12 @@ int main(int argc, char** argv) {
                            std::atof(word(2, "8")), 1);
   const Result<Packing> packing = pack(shapes, options);
   if (!packing.ok()) {
-    std::fprintf(stderr, "%s\n", packing.status.message.c_str());
+    std::fprintf(stderr, "%s\n", packing.status().message.c_str());
     return 1;
   }
   std::printf("%-10s %6zu charts at %5d, padding %d: %.4f used, %2d tries, %8.4f s\n",
               word(0, "mixed"), shapes.size(), options.resolution, options.padding,
-              packing.value.utilization, packing.value.tries, packing.value.seconds);
-  if (file) dump(file, shapes, packing.value);
+              packing.value().utilization, packing.value().tries, packing.value().seconds);
+  if (file) dump(file, shapes, packing.value());
   return 0;
 }

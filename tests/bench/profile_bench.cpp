@@ -116,13 +116,13 @@ int main(int argc, char** argv) {
     return 1;
   }
   tell("parse", watch);
-  const Surface surface = buildSurface(mesh.value);
+  const Surface surface = buildSurface(mesh.value());
   tell("connectivity and verdict", watch);
   if (!surface.summary.disk.ok()) {
     std::fprintf(stderr, "%s\n", surface.summary.disk.message.c_str());
     return 1;
   }
-  const DiskChart chart = makeDiskChart(mesh.value, surface);
+  const DiskChart chart = makeDiskChart(mesh.value(), surface);
   tell("chart", watch);
   AngleProblem problem = buildAngleProblem(chart);
   setBounds(problem, chart,

@@ -23,8 +23,8 @@ bool runOnce(const PolygonMesh& mesh, double balance, int threads, FlattenResult
   options.balance = balance;
   options.threads = threads;
   Result<FlattenResult> flat = flatten(mesh, options);
-  if (!flat.ok()) std::fprintf(stderr, "%s\n", flat.status.message.c_str());
-  out = std::move(flat.value);
+  if (!flat.ok()) std::fprintf(stderr, "%s\n", flat.status().message.c_str());
+  out = std::move(flat.value());
   return flat.ok();
 }
 

@@ -29,9 +29,9 @@ bool read(const std::string& path, PolygonMesh& mesh) {
   std::ifstream in(path, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   const Result<MeshFormat> format = detectFormat(path, bytes);
-  Result<PolygonMesh> result = format.ok() ? readMesh(bytes, format.value, path) : format.status;
-  if (!result.ok()) std::fprintf(stderr, "%s\n", result.status.message.c_str());
-  mesh = std::move(result.value);
+  Result<PolygonMesh> result = format.ok() ? readMesh(bytes, format.value(), path) : format.status();
+  if (!result.ok()) std::fprintf(stderr, "%s\n", result.status().message.c_str());
+  mesh = std::move(result.value());
   return result.ok();
 }
 
@@ -83,10 +83,10 @@ Flattened flattenCharts(const PolygonMesh& mesh, const Surface& surface, const C
     options.threads = 1;
     const Result<FlattenResult> flat = flatten(chartMesh(mesh, surface, s, c), options);
     if (!flat.ok()) {
-      if (out.failed++ < 3) std::fprintf(stderr, "  %s\n", flat.status.message.c_str());
+      if (out.failed++ < 3) std::fprintf(stderr, "  %s\n", flat.status().message.c_str());
       continue;
     }
-    const ChartReport& report = flat.value.report.charts.front();
+    const ChartReport& report = flat.value().report.charts.front();
     out.invalid += !report.valid;
     out.crossings += report.boundaryCrossings;
     out.untangled += !report.bounds.empty() || report.t < 2;

@@ -13,8 +13,8 @@ Result<std::string> nothing(const std::string&) {
 
 PolygonMesh readAgain(const std::string& bytes) {
   Result<GltfModel> again = readGltf(bytes, "written", nothing);
-  expect(again.ok(), "what is written can be read: " + again.status.message);
-  return std::move(again.value.mesh);
+  expect(again.ok(), "what is written can be read: " + again.status().message);
+  return std::move(again.value().mesh);
 }
 
 }  // namespace
@@ -58,8 +58,8 @@ void expectRoundTrip(const PolygonMesh& mesh, MeshFormat format, std::string_vie
     const std::string bytes = format == MeshFormat::Obj ? writeObj(mesh, uv, cornerUv, from)
                                                         : writePly(mesh, uv, cornerUv, from);
     const Result<PolygonMesh> again = readMesh(bytes, format, "written");
-    expect(again.ok(), "what is written can be read: " + again.status.message);
-    expectSame(mesh, texcoords, again.value);
+    expect(again.ok(), "what is written can be read: " + again.status().message);
+    expectSame(mesh, texcoords, again.value());
   }
 }
 
@@ -70,8 +70,8 @@ void expectRoundTrip(const GltfModel& model) {
     options.isBinary = isBinary;
     const Result<std::string> bytes =
         writeGltf(*model.source, texcoords.uv, texcoords.cornerUv, options);
-    expect(bytes.ok(), "what was read can be written: " + bytes.status.message);
-    expectSame(model.mesh, texcoords, readAgain(bytes.value));
+    expect(bytes.ok(), "what was read can be written: " + bytes.status().message);
+    expectSame(model.mesh, texcoords, readAgain(bytes.value()));
   }
 }
 
@@ -79,7 +79,7 @@ void expectMadeGltf(const PolygonMesh& mesh, const Appearance& look) {
   const CornerTexcoords texcoords = numberedCorners(mesh);
   const Result<std::string> bytes =
       makeGltf(mesh, texcoords.uv, texcoords.cornerUv, triangleCornersOf(mesh), look, {});
-  if (bytes.ok()) readAgain(bytes.value);
+  if (bytes.ok()) readAgain(bytes.value());
 }
 
 }  // namespace abflat::fuzz

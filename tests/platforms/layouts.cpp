@@ -29,20 +29,20 @@ Result<std::string> layoutText(const std::string& command, const std::string& pa
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const Result<MeshFormat> format = detectFormat(path, bytes);
-  if (!format.ok()) return format.status;
-  Result<PolygonMesh> mesh = readMesh(bytes, format.value, path);
-  if (!mesh.ok()) return mesh.status;
-  const std::string_view source = format.value == MeshFormat::Obj ? bytes : std::string_view();
+  if (!format.ok()) return format.status();
+  Result<PolygonMesh> mesh = readMesh(bytes, format.value(), path);
+  if (!mesh.ok()) return mesh.status();
+  const std::string_view source = format.value() == MeshFormat::Obj ? bytes : std::string_view();
   if (command == "flatten") {
-    const Result<FlattenResult> flat = flatten(mesh.value, {});
-    if (!flat.ok()) return flat.status;
-    return writeMesh(MeshFormat::Obj, mesh.value, flat.value.uv, flat.value.cornerUv, source);
+    const Result<FlattenResult> flat = flatten(mesh.value(), {});
+    if (!flat.ok()) return flat.status();
+    return writeMesh(MeshFormat::Obj, mesh.value(), flat.value().uv, flat.value().cornerUv, source);
   }
-  Result<UnwrapResult> result = unwrap(mesh.value, {});
-  if (!result.ok()) return result.status;
-  turnFaces(mesh.value, result.value);
-  return writeMesh(MeshFormat::Obj, mesh.value, result.value.uv, result.value.cornerUv, source,
-                   result.value.report.repair.turnedFaces);
+  Result<UnwrapResult> result = unwrap(mesh.value(), {});
+  if (!result.ok()) return result.status();
+  turnFaces(mesh.value(), result.value());
+  return writeMesh(MeshFormat::Obj, mesh.value(), result.value().uv, result.value().cornerUv, source,
+                   result.value().report.repair.turnedFaces);
 }
 
 }  // namespace
@@ -54,10 +54,10 @@ int main(int argc, char** argv) {
   const abflat::Result<std::string> text =
       command == "sample" ? abflat::sampleText(from) : abflat::layoutText(command, from);
   if (!text.ok()) {
-    std::cerr << text.status.message << "\n";
+    std::cerr << text.status().message << "\n";
     return 1;
   }
   std::ofstream out(argv[3], std::ios::binary);
-  out << text.value;
+  out << text.value();
   return out.flush() ? 0 : 1;
 }

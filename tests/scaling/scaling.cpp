@@ -55,7 +55,7 @@ void countFiles(const PolygonMesh& mesh, const UnwrapResult& atlas, StageSteps& 
   out["read PLY"] = stepsOf([&] { readMesh(ply, MeshFormat::Ply, "mesh"); });
   std::string glb;
   out["write GLB"] = stepsOf(
-      [&] { glb = makeGltf(mesh, atlas.uv, atlas.cornerUv, atlas.triangleCorners, {}, {}).value; });
+      [&] { glb = makeGltf(mesh, atlas.uv, atlas.cornerUv, atlas.triangleCorners, {}, {}).value(); });
   out["read GLB"] = stepsOf([&] {
     readGltf(glb, "mesh", [](const std::string&) { return Result<std::string>(std::string()); });
   });
@@ -64,8 +64,7 @@ void countFiles(const PolygonMesh& mesh, const UnwrapResult& atlas, StageSteps& 
 StageSteps countSteps(const PolygonMesh& mesh) {
   StageSteps out;
   out["inspect"] = stepsOf([&] { inspect(mesh); });
-  Result<UnwrapResult> atlas;
-  {
+  const Result<UnwrapResult> atlas = [&] {
     StageCounter counter(out, "unwrap ");
     UnwrapOptions options;
     options.threads = 1;
@@ -73,13 +72,13 @@ StageSteps countSteps(const PolygonMesh& mesh) {
       counter.enter(nameOf(p.stage));
       return true;
     };
-    atlas = unwrap(mesh, options);
-  }
+    return unwrap(mesh, options);
+  }();
   if (!atlas.ok()) {
-    std::fprintf(stderr, "%s\n", atlas.status.message.c_str());
+    std::fprintf(stderr, "%s\n", atlas.status().message.c_str());
     std::exit(1);
   }
-  countFiles(mesh, atlas.value, out);
+  countFiles(mesh, atlas.value(), out);
   StageCounter counter(out, "flatten ");
   FlattenOptions options;
   options.threads = 1;

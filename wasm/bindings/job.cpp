@@ -106,11 +106,12 @@ Status readArrays(PolygonMesh& mesh, bool hasCornerNormals) {
 Status readInput(Job& job) {
   if (!job.isFile) return readArrays(job.mesh, job.hasCornerNormals);
   const Result<MeshFormat> format = detectFormat(job.name, job.source);
-  if (!format.ok()) return format.status;
-  job.format = format.value;
-  Result<PolygonMesh> mesh = readMesh(job.source, format.value, job.name);
-  job.mesh = std::move(mesh.value);
-  return mesh.status;
+  if (!format.ok()) return format.status();
+  job.format = format.value();
+  Result<PolygonMesh> mesh = readMesh(job.source, format.value(), job.name);
+  if (!mesh.ok()) return mesh.status();
+  job.mesh = std::move(mesh.value());
+  return {};
 }
 
 namespace {
@@ -156,8 +157,8 @@ Status layoutJob(Job& job, WantedFiles wanted, const ProgressCallback& progress,
 
   if ((wanted & fileOf(job.format)) == 0) std::string().swap(job.source);
   auto computed = compute();
-  if (!computed.ok()) return computed.status;
-  auto& result = computed.value;
+  if (!computed.ok()) return computed.status();
+  auto& result = computed.value();
 
   progress({Stage::Write, 0, 0, 0.98});
   const Clock::time_point writing = Clock::now();
@@ -180,11 +181,11 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
   const auto compute = [&] {
     Result<FlattenResult> flat = flatten(job.mesh, job.options);
     if (!flat.ok()) return flat;
-    if (job.normalizes) fitUnitSquare(job.mesh, flat.value);
+    if (job.normalizes) fitUnitSquare(job.mesh, flat.value());
     if (job.unwrapOptions.precision == Precision::Gltf)
-      roundForGltf(job.mesh, flat.value);
+      roundForGltf(job.mesh, flat.value());
     else if (wanted & kSingle)
-      roundToSinglePrecision(job.mesh, flat.value);
+      roundToSinglePrecision(job.mesh, flat.value());
     return flat;
   };
   const auto arrays = [&](FlattenResult& flat) {
@@ -201,12 +202,13 @@ Result<UnwrapResult> unwrapMesh(Job& job) {
   const double afterReading = peakMemory();
   if (job.keepsUv) {
     Result<std::vector<std::uint32_t>> faces = facesWithTexcoords(job.mesh);
-    if (!faces.ok()) return Status{faces.status.code, "fixedFaces: " + faces.status.message};
-    job.unwrapOptions.reuse.fixedFaces = std::move(faces.value);
+    if (!faces.ok()) return Status{faces.status().code, "fixedFaces: " + faces.status().message};
+    job.unwrapOptions.reuse.fixedFaces = std::move(faces.value());
   }
   Result<UnwrapResult> atlas = unwrap(job.mesh, job.unwrapOptions);
-  turnFaces(job.mesh, atlas.value);
-  atlas.value.report.peakMemory.read = afterReading;
+  if (!atlas.ok()) return atlas;
+  turnFaces(job.mesh, atlas.value());
+  atlas.value().report.peakMemory.read = afterReading;
   return atlas;
 }
 
@@ -214,9 +216,9 @@ Result<UnwrapResult> unwrapMesh(Job& job) {
 
 Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress) {
   Result<SeamSources> seams = parseSeams(job.seams);
-  if (!seams.ok()) return {seams.status.code, "seams: " + seams.status.message};
-  seams.value.edges = std::move(job.unwrapOptions.seams.edges);
-  job.unwrapOptions.seams = std::move(seams.value);
+  if (!seams.ok()) return {seams.status().code, "seams: " + seams.status().message};
+  seams.value().edges = std::move(job.unwrapOptions.seams.edges);
+  job.unwrapOptions.seams = std::move(seams.value());
   job.unwrapOptions.progress = progress;
   if (job.unwrapOptions.precision != Precision::Gltf)
     job.unwrapOptions.precision =
@@ -242,8 +244,8 @@ Status compareJob(Job& job, const ProgressCallback& progress) {
   if (Status s = readInput(job); !s.ok()) return s;
   std::string().swap(job.source);
   Result<Comparison> compared = compare(job.mesh, {progress});
-  if (!compared.ok()) return compared.status;
-  Comparison& comparison = compared.value;
+  if (!compared.ok()) return compared.status();
+  Comparison& comparison = compared.value();
   if (job.isFile) job.layout.positions = gather(job.mesh.positions, 3, comparison.vertexMap);
   job.text = compareJson(comparison, job.name);
   job.methods = std::move(comparison.methods);
@@ -264,8 +266,9 @@ Status pinWeightsJob(Job& job) {
   layout.uv.swap(layout.mesh.texcoords);
   for (const Pin& pin : job.options.pins) layout.pins.push_back(pin.vertex);
   Result<std::vector<double>> weights = pinWeights(layout);
-  job.layout.uv = std::move(weights.value);
-  return weights.status;
+  if (!weights.ok()) return weights.status();
+  job.layout.uv = std::move(weights.value());
+  return {};
 }
 
 Status loadJob(Job& job) {

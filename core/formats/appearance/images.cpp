@@ -40,10 +40,10 @@ std::size_t Images::read(const std::string& folder, const std::string& path) {
     if (beside.ok()) bytes = std::move(beside);
   }
   if (!bytes.ok()) {
-    out_.notes.push_back("image " + path + " was left out: " + bytes.status.message);
+    out_.notes.push_back("image " + path + " was left out: " + bytes.status().message);
     return kNoImage;
   }
-  ImageFile image{name, mimeTypeOf(bytes.value), std::move(bytes.value)};
+  ImageFile image{name, mimeTypeOf(bytes.value()), std::move(bytes.value())};
   if (image.mimeType.empty()) {
     out_.notes.push_back("image " + path +
                          " was left out: glTF supports only PNG and JPEG. Convert it");

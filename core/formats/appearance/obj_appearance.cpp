@@ -122,8 +122,8 @@ class Libraries {
 
   Status read(const std::string& name) {
     const Result<std::string> text = readResource_(name);
-    if (!text.ok()) return text.status;
-    readMtl(text.value, found_.emplace_back().materials);
+    if (!text.ok()) return text.status();
+    readMtl(text.value(), found_.emplace_back().materials);
     found_.back().folder = folderOf(name);
     return {};
   }

@@ -63,8 +63,8 @@ void readTexture(const PlyHeader& header, const ReadResource& readResource, Appe
 void readPlyAppearance(std::string_view bytes, const ReadResource& readResource, Appearance& out) {
   const Result<PlyHeader> header = readPlyHeader(bytes, {});
   if (!header.ok()) return;  // the mesh was not read from these bytes
-  readColors(header.value, bytes, out);
-  readTexture(header.value, readResource, out);
+  readColors(header.value(), bytes, out);
+  readTexture(header.value(), readResource, out);
 }
 
 }  // namespace abflat

@@ -54,8 +54,8 @@ class BufferLoader {
     const std::string uri = place.text();
     if (isDataUri(uri)) {
       Result<std::string> data = dataOf(uri);
-      if (!data.ok()) place.complain(data.status.message);
-      return std::move(data.value);
+      if (!data.ok()) place.complain(data.status().message);
+      return std::move(data.value());
     }
     if (hasScheme(uri)) {
       place.complain("is " + uri + ", which is not a local file. Download it first");
@@ -64,8 +64,8 @@ class BufferLoader {
     Result<std::string> bytes = readResource_(pathOfUri(uri));
     if (!bytes.ok())
       complaints_.fail(
-          {bytes.status.code, fileName_ + ": " + place.place() + ": " + bytes.status.message});
-    return std::move(bytes.value);
+          {bytes.status().code, fileName_ + ": " + place.place() + ": " + bytes.status().message});
+    return std::move(bytes.value());
   }
 
   const Container& container_;

@@ -108,9 +108,9 @@ class PrimitiveDecoder {
     if (isNeeded) {
       const Result<DracoMesh> mesh =
           DracoMesh::decode(bytesOf(source, document_.buffers), views_.budget());
-      if (!mesh.ok()) return complaints_.add(place + mesh.status.message);
+      if (!mesh.ok()) return complaints_.add(place + mesh.status().message);
       for (const PackedPrimitive& packed : primitives)
-        if (!packed.hasPlainCopy && complaints_.none()) putPrimitive(packed, mesh.value);
+        if (!packed.hasPlainCopy && complaints_.none()) putPrimitive(packed, mesh.value());
     }
     // Views keep their indices: if nothing new takes this one's place, it becomes as short as
     // possible.
@@ -161,12 +161,13 @@ class PrimitiveDecoder {
     }
     Result<std::string> values = mesh.attribute(attribute.id, shape.type, shape.rows);
     if (!values.ok()) {
-      complaints_.add(packed.place + ".attributes." + attribute.name + values.status.message);
+      complaints_.add(packed.place + ".attributes." + attribute.name + values.status().message);
       return slot;
     }
-    const std::size_t stride = values.value.size() / std::max<std::size_t>(mesh.points(), 1);
-    refer(slot, mesh.points(),
-          putView(std::move(values.value), Target::Vertices, stride == shape.size() ? 0 : stride));
+    const std::size_t stride = values.value().size() / std::max<std::size_t>(mesh.points(), 1);
+    refer(
+        slot, mesh.points(),
+        putView(std::move(values.value()), Target::Vertices, stride == shape.size() ? 0 : stride));
     return slot;
   }
 

@@ -174,17 +174,17 @@ std::string primitivePlace(std::size_t mesh, std::size_t primitive) {
 Result<Document> readDocument(std::string_view bytes, const std::string& fileName,
                               const ReadResource& readResource) {
   const Result<Container> container = openContainer(bytes, fileName);
-  if (!container.ok()) return container.status;
-  Result<Json> json = readJson(container.value.json, fileName);
-  if (!json.ok()) return json.status;
+  if (!container.ok()) return container.status();
+  Result<Json> json = readJson(container.value().json, fileName);
+  if (!json.ok()) return json.status();
   Document out;
   out.fileName = fileName;
-  out.isBinary = container.value.isBinary;
-  out.json = std::move(json.value);
-  out.otherChunks = container.value.others;
+  out.isBinary = container.value().isBinary;
+  out.json = std::move(json.value());
+  out.otherChunks = container.value().others;
   out.size = bytes.size();
   Complaints complaints(fileName);
-  out.buffers = loadBuffers(Field(&out.json, "", complaints), container.value, fileName,
+  out.buffers = loadBuffers(Field(&out.json, "", complaints), container.value(), fileName,
                             readResource, complaints);
   for (const std::string& buffer : out.buffers) out.size += buffer.size();
   if (complaints.none()) decompress(out, complaints);

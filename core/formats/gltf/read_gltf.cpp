@@ -63,16 +63,17 @@ class ModelReader {
 
   Status read() {
     Result<std::vector<MeshPlace>> places = meshPlaces(document_);
-    if (!places.ok()) return places.status;
+    if (!places.ok()) return places.status();
     model_.mesh.faceOffsets = {0};
     for (std::size_t m = 0; m < document_.meshes.size(); ++m) {
-      unused_ += !places.value[m].isUsed;
-      if (!places.value[m].isUsed) continue;
+      unused_ += !places.value()[m].isUsed;
+      if (!places.value()[m].isUsed) continue;
       groupOf_.clear();
       const std::size_t before = source_.parts.size();
       for (std::size_t p = 0; p < document_.meshes[m].size(); ++p)
-        if (Status s = readPrimitive(m, p, places.value[m]); !s.ok()) return s;
-      if (source_.parts.size() > before && places.value[m].nodes > 1) countShared(places.value[m]);
+        if (Status s = readPrimitive(m, p, places.value()[m]); !s.ok()) return s;
+      if (source_.parts.size() > before && places.value()[m].nodes > 1)
+        countShared(places.value()[m]);
     }
     model_.mesh.faceTexcoords = model_.mesh.faceVertices;
     settleTexcoords(model_.mesh);
@@ -325,9 +326,9 @@ namespace {
 Result<GltfModel> modelOf(std::string_view bytes, const std::string& fileName,
                           const ReadResource& readResource, const GltfReadOptions& options) {
   Result<gltf::Document> document = gltf::readDocument(bytes, fileName, readResource);
-  if (!document.ok()) return document.status;
+  if (!document.ok()) return document.status();
   auto source = std::make_shared<gltf::Source>();
-  source->document = std::move(document.value);
+  source->document = std::move(document.value());
   if (options.ownTexels) gltf::giveOwnMeshes(source->document);
   GltfModel out;
   if (Status s = gltf::ModelReader(*source, out, options).read(); !s.ok()) return s;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,16 +17,25 @@ struct [[nodiscard]] Status {
   bool ok() const { return code == StatusCode::Ok; }
 };
 
-/// A value, or the status that says why there is none (then `value` is default constructed).
+/// A value, or the status that says why there is none.
 template <class T>
-struct [[nodiscard]] Result {
-  Status status;
-  T value{};
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : value_(std::move(value)) {}
+  /// `status` is not ok.
+  Result(Status status) : status_(std::move(status)) {}
 
-  Result() = default;
-  Result(T v) : value(std::move(v)) {}
-  Result(Status s) : status(std::move(s)) {}
-  bool ok() const { return status.ok(); }
+  bool ok() const { return value_.has_value(); }
+  const Status& status() const& { return status_; }
+  Status status() && { return std::move(status_); }
+  /// Throws std::bad_optional_access if there is none.
+  const T& value() const& { return value_.value(); }
+  T& value() & { return value_.value(); }
+  T value() && { return std::move(value_).value(); }
+
+ private:
+  Status status_;
+  std::optional<T> value_;
 };
 
 }  // namespace abflat

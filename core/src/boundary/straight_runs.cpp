@@ -59,13 +59,13 @@ Result<StraightPlaces> straightPlaces(const DiskChart& chart,
   StraightPlaces straight(chart.boundary.size(), 0);
   for (const StraightRun& run : runs) {
     const Result<BoundaryIndex> from = placeOf(chart, run.from), to = placeOf(chart, run.to);
-    if (!from.ok()) return from.status;
-    if (!to.ok()) return to.status;
-    if (from.value == to.value)
+    if (!from.ok()) return from.status();
+    if (!to.ok()) return to.status();
+    if (from.value() == to.value())
       return Status{StatusCode::InvalidOption, "a straight run begins and ends at vertex " +
                                                    std::to_string(run.from) +
                                                    ". It needs two different vertices"};
-    for (BoundaryIndex i = chart.after(from.value); i != to.value; i = chart.after(i))
+    for (BoundaryIndex i = chart.after(from.value()); i != to.value(); i = chart.after(i))
       straight[i] = 1;
   }
   if (Status s = checkTurns(chart, straight); !s.ok()) return s;

@@ -37,8 +37,8 @@ Status notAValue(const OptionInfo& option, const std::string& text) {
 Status set(UnwrapOptions& options, const std::string& name, const std::string& text) {
   if (name == "seams" || name == "--seams") {
     Result<SeamSources> seams = parseSeams(text);
-    if (seams.ok()) options.seams = std::move(seams.value);
-    return seams.status;
+    if (seams.ok()) options.seams = std::move(seams.value());
+    return seams.status();
   }
   const OptionInfos infos = optionInfos(options);
   for (int i = 0; i < infos.count; ++i) {
@@ -80,8 +80,8 @@ PolygonMesh copied(const abflat_mesh& mesh) {
 Status unwrapInto(abflat_result& out, const abflat_mesh& mesh, const UnwrapOptions& options) {
   const PolygonMesh input = copied(mesh);
   Result<UnwrapResult> result = unwrap(input, options);
-  if (!result.ok()) return result.status;
-  out.unwrapped = std::move(result.value);
+  if (!result.ok()) return result.status();
+  out.unwrapped = std::move(result.value());
   const UnwrapResult& r = out.unwrapped;
   out.uv.reserve(2 * r.vertexUv.size());
   for (const std::uint32_t i : r.vertexUv)

@@ -131,8 +131,8 @@ void paintBlocks(SvgWriter& out, const KktPattern& pattern) {
 
 Result<Drawing> drawKkt(const PolygonMesh& mesh, double t, Formulation formulation) {
   const Result<KktPattern> pattern = kktPattern(mesh, t, formulation);
-  if (!pattern.ok()) return pattern.status;
-  const KktPattern& p = pattern.value;
+  if (!pattern.ok()) return pattern.status();
+  const KktPattern& p = pattern.value();
   SvgWriter out;
   out.text(kLeft, 18,
            formulation == Formulation::Log ? "logarithmic form, eq. (6): the Hessian is diagonal"

@@ -73,9 +73,9 @@ Result<KktPattern> kktPattern(const PolygonMesh& mesh, double t, Formulation for
   FlattenOptions options;
   options.t = t;
   const Result<BoundaryBounds> bounds = requestedBounds(chart, options, {});
-  if (!bounds.ok()) return bounds.status;
+  if (!bounds.ok()) return bounds.status();
   AngleProblem problem = buildAngleProblem(chart);
-  setBounds(problem, chart, bounds.value);
+  setBounds(problem, chart, bounds.value());
   return patternOf(problem, AngleSolver(problem, {}).solve(nullptr), formulation);
 }
 

@@ -103,8 +103,8 @@ class Flattening {
 
   Status check() {
     Result<SolverChoice> chosen = chosenSolver(options_);
-    if (!chosen.ok()) return chosen.status;
-    choice_ = std::move(chosen.value);
+    if (!chosen.ok()) return chosen.status();
+    choice_ = std::move(chosen.value());
     if (options_.delaunay && options_.balance > 0)
       return {StatusCode::InvalidOption,
               "delaunay is a condition on angles, which a balance above 0 changes. Use only one of "
@@ -116,8 +116,8 @@ class Flattening {
     const auto goesOn = [this] { return monitor_.tell(Stage::Connectivity, 0); };
     if (!goesOn()) return aborted();
     Result<Prepared> prepared = prepare(mesh_, Pulse(goesOn));
-    if (!prepared.ok()) return prepared.status;
-    prepared_ = std::move(prepared.value);
+    if (!prepared.ok()) return prepared.status();
+    prepared_ = std::move(prepared.value());
     return {};
   }
 
@@ -125,15 +125,15 @@ class Flattening {
   Status readConstraints() {
     const DiskChart& chart = prepared_.chart;
     Result<StraightPlaces> straight = straightPlaces(chart, options_.straight);
-    if (!straight.ok()) return straight.status;
-    Result<BoundaryBounds> t = requestedBounds(chart, options_, straight.value);
-    if (!t.ok()) return t.status;
+    if (!straight.ok()) return straight.status();
+    Result<BoundaryBounds> t = requestedBounds(chart, options_, straight.value());
+    if (!t.ok()) return t.status();
     Result<IdVector<ChartId, std::vector<ChartPin>>> pins =
         pinsOfCharts(mesh_, prepared_.texcoords, options_.pins);
-    if (!pins.ok()) return pins.status;
-    straight_ = std::move(straight.value);
-    bounds_ = std::move(t.value);
-    pins_ = std::move(pins.value.front());
+    if (!pins.ok()) return pins.status();
+    straight_ = std::move(straight.value());
+    bounds_ = std::move(t.value());
+    pins_ = std::move(pins.value().front());
     connectivitySeconds_ = watch_.lap();
     return {};
   }

@@ -48,7 +48,7 @@ Result<PolygonMesh> readAs(MeshFormat format, std::string_view bytes, std::strin
     return Status{StatusCode::ParseError,
                   std::string(fileName) + ": the text is UTF-16. Save it as UTF-8"};
   Result<PolygonMesh> mesh = known.read(known.beginsFreely ? bytes : textOf(bytes), fileName);
-  dropSpare(mesh.value);
+  if (mesh.ok()) dropSpare(mesh.value());
   return mesh;
 }
 

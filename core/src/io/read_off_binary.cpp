@@ -144,7 +144,7 @@ Result<PolygonMesh> readOffBinary(const OffBinaryHeader& header, std::string_vie
     if (!reader.hasCounts()) continue;
     Result<PolygonMesh> mesh = reader.run();
     if (mesh.ok()) return mesh;
-    if (problem.ok()) problem = mesh.status;
+    if (problem.ok()) problem = mesh.status();
   }
   if (!problem.ok()) return problem;
   OffBinaryReader reader(header, {}, bytes, fileName);

@@ -11,12 +11,12 @@ namespace {
 std::string rewritten(const PolygonMesh& mesh, const SplitVertices& vertices,
                       std::string_view source) {
   const Result<PlyHeader> header = readPlyHeader(source, {});
-  const PlyPlan plan = makePlyPlan(header.value, mesh, vertices);
-  const PlyRewrite rewrite{header.value, plan, mesh, vertices};
-  const std::string_view body = source.substr(header.value.text.size());
+  const PlyPlan plan = makePlyPlan(header.value(), mesh, vertices);
+  const PlyRewrite rewrite{header.value(), plan, mesh, vertices};
+  const std::string_view body = source.substr(header.value().text.size());
   TextWriter out(source.size() + 40 * (vertices.uv.size() / 2 + 4));
-  putPlyHeader(out, header.value, plan, vertices.uv.size() / 2, mesh.faceCount());
-  if (header.value.encoding == PlyEncoding::Text)
+  putPlyHeader(out, header.value(), plan, vertices.uv.size() / 2, mesh.faceCount());
+  if (header.value().encoding == PlyEncoding::Text)
     rewritePlyText(out, rewrite, body);
   else
     rewritePlyBinary(out, rewrite, body);

@@ -11,9 +11,9 @@ namespace abflat {
 MeshSummary inspect(const PolygonMesh& mesh) {
   const Result<MeshSummary> summary =
       guarded([&]() -> Result<MeshSummary> { return inspect(mesh, Pulse()); });
-  if (summary.ok()) return summary.value;
+  if (summary.ok()) return summary.value();
   MeshSummary unknown;
-  unknown.disk = summary.status;
+  unknown.disk = summary.status();
   return unknown;
 }
 

@@ -121,8 +121,8 @@ Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh&
   std::vector<Found> found;
   for (const Pin& pin : pins) {
     const Result<TexcoordId> texcoord = texcoordOf(mesh, uses, pin);
-    if (!texcoord.ok()) return texcoord.status;
-    found.push_back({&pin, texcoord.value});
+    if (!texcoord.ok()) return texcoord.status();
+    found.push_back({&pin, texcoord.value()});
   }
   if (Status s = checkApart(found); !s.ok()) return s;
   ChartId chart(0);

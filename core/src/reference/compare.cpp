@@ -117,13 +117,13 @@ class Comparer {
     options.progress = [&](const Progress& inside) { return tell(method, inside); };
     Result<FlattenResult> flat = flatten(mesh_, options);
     if (!flat.ok()) {
-      row.problem = flat.status.message;
-      return flat.status.code;
+      row.problem = flat.status().message;
+      return flat.status().code;
     }
-    const Timings& spent = flat.value.report.timings;
+    const Timings& spent = flat.value().report.timings;
     row.seconds = spent.solve + spent.layout + spent.refine + spent.check;
-    row.problem = flat.value.report.charts.front().problem;
-    row.uv = std::move(flat.value.uv);
+    row.problem = flat.value().report.charts.front().problem;
+    row.uv = std::move(flat.value().uv);
     measure(chart_, row);
     return StatusCode::Ok;
   }
@@ -155,10 +155,10 @@ Result<Comparison> compareMethods(const PolygonMesh& mesh, const CompareOptions&
   if (!surface.summary.disk.ok()) return surface.summary.disk;
   const DiskChart chart = makeDiskChart(mesh, surface);
   Result<std::vector<MethodResult>> rows = Comparer(mesh, chart, options).run();
-  if (!rows.ok()) return rows.status;
+  if (!rows.ok()) return rows.status();
   Comparison out;
   out.input = surface.summary;
-  out.methods = std::move(rows.value);
+  out.methods = std::move(rows.value());
   out.vertexMap.assign(chart.inputVertex.begin(), chart.inputVertex.end());
   out.triangles.assign(chart.vertexOfCorner.begin(), chart.vertexOfCorner.end());
   return out;

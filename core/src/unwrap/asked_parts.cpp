@@ -14,15 +14,15 @@ Result<AskedParts> askedParts(const SurfaceMap& map, const UnwrapOptions& option
   out.cuts.upAxis = upAxis;
   out.cuts.breaks = hardEdges(map);
   Result<Seams> given = givenSeams(map, options.seams, out.cuts.breaks);
-  if (!given.ok()) return given.status;
+  if (!given.ok()) return given.status();
   addMaterialBorders(map, out.cuts.breaks);
-  out.cuts.seams = std::move(given.value);
+  out.cuts.seams = std::move(given.value());
   if (options.seams.isAuto)
     out.cuts.scales = addScaleSeams(map.welded().mesh, map.surface(), out.cuts.seams);
   if (out.cuts.scales.sharpest) notes.push_back(scaleNote(*out.cuts.scales.sharpest, map, unit));
   Result<FixedTriangles> fixed = fixedTriangles(map, options);
-  if (!fixed.ok()) return fixed.status;
-  out.fixed = std::move(fixed.value);
+  if (!fixed.ok()) return fixed.status();
+  out.fixed = std::move(fixed.value());
   if (!out.fixed.note.empty()) notes.push_back(out.fixed.note);
   return out;
 }

@@ -148,9 +148,9 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   const double fixedDensity = densityOfFixed(packed, shapes, options.resolution);
   if (options.reuse.keepsPlaces || keepsIslands(packed.charts.flat)) how.mostDensity = fixedDensity;
   Result<Packing> result = pack(std::move(shapes), how);
-  if (!result.ok()) return result.status;
+  if (!result.ok()) return result.status();
   Packing& packing = packed.packing;
-  packing = std::move(result.value);
+  packing = std::move(result.value());
   for (const ChartId i : packed.charts.flat.ids()) {
     if (packed.charts.flat[i].isFixed) continue;
     packing.placements[i].a *= sizeOf(packed, i);

@@ -39,7 +39,7 @@ Status addCharts(const SurfaceMap& map, const UnwrapOptions& options, FixedTrian
   if (options.reuse.fixedCharts.empty()) return {};
   const KnownLayout& known = options.reuse.known;
   const Result<TriangleOrder> order = knownTriangles(known, map);
-  if (!order.ok()) return order.status;
+  if (!order.ok()) return order.status();
   if (known.uv.size() != 2 * known.vertexMap.size())
     return invalid("the known layout has no uv for the fixed charts");
   std::vector<std::uint8_t> exists(known.chartOfTriangle.size(), 0), stays(exists);
@@ -54,7 +54,7 @@ Status addCharts(const SurfaceMap& map, const UnwrapOptions& options, FixedTrian
   const auto first = static_cast<std::uint32_t>(out.texcoords.size() / 2);
   out.texcoords.insert(out.texcoords.end(), known.uv.begin(), known.uv.end());
   for (const SurfaceTriangle t : out.isFixed.ids()) {
-    const std::size_t i = order.value.ofTriangle[t];
+    const std::size_t i = order.value().ofTriangle[t];
     if (!stays[known.chartOfTriangle[i]]) continue;
     out.isFixed[t] = 1;
     for (const SurfaceCorner c : cornersOf(t))

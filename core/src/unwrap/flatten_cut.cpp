@@ -61,8 +61,8 @@ Status CutFlattener::constrain(FlatCut& cut) const {
   const CutMesh mesh = meshOf(cut);
   Result<IdVector<ChartId, ChartConstraints>> constraints =
       chartConstraints(mesh, numberTexcoords(mesh), with_.fixed, with_.options);
-  if (!constraints.ok()) return constraints.status;
-  cut.constraints = std::move(constraints.value);
+  if (!constraints.ok()) return constraints.status();
+  cut.constraints = std::move(constraints.value());
   return {};
 }
 
@@ -144,8 +144,8 @@ Status CutFlattener::halveRuined(FlatCut& cut, Rounds& rounds) const {
   constexpr int kMostHalvings = 24, kMostRounds = 4;
   for (int k = 0; canCut(with_.options) && k < kMostHalvings && !with_.monitor.stopped(); ++k) {
     const Result<bool> isAny = halve(cut, ruinedCharts(cut.charts.flat, with_.options.maxStretch));
-    if (!isAny.ok()) return isAny.status;
-    if (!isAny.value) break;
+    if (!isAny.ok()) return isAny.status();
+    if (!isAny.value()) break;
     if (Status s = layOut(cut, rounds.teller()); !s.ok()) return s;
     expectScale(cut.charts.set, stretchedPieces(cut.charts.flat, with_.options), with_.pool,
                 cut.open);
@@ -168,7 +168,7 @@ Result<bool> CutFlattener::halve(FlatCut& cut,
 
 Result<bool> CutFlattener::halveInvalid(FlatCut& cut) const {
   Result<bool> isAny = halve(cut, ruinedCharts(cut.charts.flat, HUGE_VAL));
-  if (!isAny.ok() || !isAny.value) return isAny;
+  if (!isAny.ok() || !isAny.value()) return isAny;
   if (Status s = layOut(cut); !s.ok()) return s;
   if (Status s = endSearch(cut, with_.tell); !s.ok()) return s;
   return isAny;

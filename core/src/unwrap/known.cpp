@@ -161,10 +161,10 @@ Status takeKnown(const CutMesh& mesh, const IdVector<ChartId, ChartConstraints>&
   const KnownLayout& layout = options.reuse.known;
   if (layout.triangles.empty()) return {};
   Result<TriangleOrder> order = knownTriangles(layout, mesh.map);
-  if (!order.ok()) return order.status;
+  if (!order.ok()) return order.status();
   if (options.reuse.keepsPlaces)
     if (Status s = checkPlaces(layout); !s.ok()) return s;
-  Known known{layout, std::move(order.value), {}};
+  Known known{layout, std::move(order.value()), {}};
   // The earlier run asked for different angles.
   if (layout.t != options.t || layout.balance != options.balance ||
       layout.straightSeams != options.straightSeams)

@@ -143,8 +143,8 @@ class CutPacker {
       std::vector<std::string> notes = checkAll(packed(), with_.options, report_.atlas);
       Result<bool> isSplit = false;
       if (k < kMostSplits && canCut(with_.options)) isSplit = flattener_.halveInvalid(cut_);
-      if (!isSplit.ok()) return isSplit.status;
-      if (!isSplit.value) {
+      if (!isSplit.ok()) return isSplit.status();
+      if (!isSplit.value()) {
         for (std::string& note : notes) report_.notes.push_back(std::move(note));
         return {};
       }

@@ -28,8 +28,8 @@ Result<IdVector<ChartId, ChartConstraints>> chartConstraints(const CutMesh& mesh
   IdVector<ChartId, ChartConstraints> out(mesh.set.size());
   Result<IdVector<ChartId, std::vector<ChartPin>>> pins =
       pinsOfCharts(mesh.map.input(), texcoords, options.pins);
-  if (!pins.ok()) return pins.status;
-  for (const ChartId i : out.ids()) out[i].pins = std::move(pins.value[i]);
+  if (!pins.ok()) return pins.status();
+  for (const ChartId i : out.ids()) out[i].pins = std::move(pins.value()[i]);
   if (!options.straightSeams) return out;
   const Surface& surface = mesh.map.surface();
   IdVector<ChartId, StraightSeams> straight =

@@ -36,8 +36,8 @@ Result<UnwrapResult> unwrapTurned(const PolygonMesh& mesh, const UnwrapOptions& 
   turnFaces(faces, turned);
   Result<UnwrapResult> result = unwrapAsItIs(turned, options);
   if (!result.ok()) return result;
-  reorderCorners(turnedCorners(mesh, faces), result.value);
-  result.value.report.repair.turnedFaces = std::move(faces);
+  reorderCorners(turnedCorners(mesh, faces), result.value());
+  result.value().report.repair.turnedFaces = std::move(faces);
   return result;
 }
 

@@ -158,10 +158,10 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
   if (!stages.enter(kSurface)) return aborted();
   Result<WeldedSurface> read =
       readSurface(input, options, unit, Pulse([&] { return monitor.tell(kSurface); }), report);
-  if (!read.ok()) return read.status;
+  if (!read.ok()) return read.status();
   if (monitor.stopped()) return aborted();
-  WeldedMesh& welded = read.value.welded;
-  Surface& surface = read.value.surface;
+  WeldedMesh& welded = read.value().welded;
+  Surface& surface = read.value().surface;
   const SurfaceMap map(input, welded, surface);
   ThreadPool pool(usefulThreads(options.threads, surface.table.triangles().size()));
   report.threads = pool.threads();
@@ -169,14 +169,14 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
 
   if (!stages.enter(kSeams)) return aborted();
   Result<AskedParts> asked = askedParts(map, options, unit, upAxis, report.notes);
-  if (!asked.ok()) return asked.status;
-  AskedCuts& cuts = asked.value.cuts;
-  FixedTriangles& fixed = asked.value.fixed;
+  if (!asked.ok()) return asked.status();
+  AskedCuts& cuts = asked.value().cuts;
+  FixedTriangles& fixed = asked.value().fixed;
   Stacks stacks(input, welded, options, unfit);
   stacks.leaveOutComponents({surface, fixed, cuts.breaks, cuts.seams, cuts.scales});
   std::vector<double> truePositions;
   if (fixed.isFixed.empty())
-    truePositions = hideUnseen(read.value, options, unit, pulse, report.notes);
+    truePositions = hideUnseen(read.value(), options, unit, pulse, report.notes);
   const UncutSurface uncut{welded, unit, surface, fixed};
   FlatCut cut;
   Approach search(usualBeats(surface.table.triangles().size()));

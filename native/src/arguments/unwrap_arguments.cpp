@@ -33,14 +33,14 @@ void setSeams(const std::string& text, UnwrapCommand& c) {
   }
   const bool hasFile = !c.seamFile.empty();
   Result<SeamSources> seams = parseSeams(others.empty() && hasFile ? "none" : others);
-  if (!seams.ok()) throw CLI::ValidationError("--seams", seams.status.message);
-  c.seams = std::move(seams.value);
+  if (!seams.ok()) throw CLI::ValidationError("--seams", seams.status().message);
+  c.seams = std::move(seams.value());
 }
 
 void setKept(const std::string& text, UnwrapCommand& c) {
   Result<KeptFaces> kept = parseKept(text);
-  if (!kept.ok()) throw CLI::ValidationError("--keep", kept.status.message);
-  c.keep = std::move(kept.value);
+  if (!kept.ok()) throw CLI::ValidationError("--keep", kept.status().message);
+  c.keep = std::move(kept.value());
 }
 
 void addPictures(CLI::App& app, UnwrapCommand& c) {

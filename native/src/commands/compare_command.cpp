@@ -93,7 +93,7 @@ int runCompare(const CompareCommand& command) {
   OutputFile out(command.json.empty() ? kStandardStream : command.json);
   if (const Status s = out.check(); !s.ok()) return ended(s);
   const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
-  if (!input.ok()) return ended(input.status);
+  if (!input.ok()) return ended(input.status());
   ProgressLine line(isErrorTerminal());
   CompareOptions options;
   options.progress = [&](const Progress& p) {
@@ -101,15 +101,15 @@ int runCompare(const CompareCommand& command) {
     return true;
   };
   const Result<Comparison> comparison =
-      orOutOfMemory(name, [&] { return compare(input.value.mesh, options); });
+      orOutOfMemory(name, [&] { return compare(input.value().mesh, options); });
   line.clear();
   if (!comparison.ok())
-    return ended({comparison.status.code, comparison.status.code == StatusCode::OutOfMemory
-                                              ? comparison.status.message
-                                              : name + ": " + comparison.status.message});
+    return ended({comparison.status().code, comparison.status().code == StatusCode::OutOfMemory
+                                                ? comparison.status().message
+                                                : name + ": " + comparison.status().message});
   const Status written =
-      out.writeNow(command.json.empty() ? comparisonTable(comparison.value, printable(name))
-                                        : compareJson(comparison.value, name));
+      out.writeNow(command.json.empty() ? comparisonTable(comparison.value(), printable(name))
+                                        : compareJson(comparison.value(), name));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }
 

@@ -31,26 +31,26 @@ struct FlattenJob {
     static_cast<FlattenOptionValues&>(options) = command.options;
     if (!command.bounds.empty()) {
       Result<std::vector<VertexBound>> bounds = readBounds(command.bounds);
-      if (!bounds.ok()) return bounds.status;
-      options.bounds = std::move(bounds.value);
+      if (!bounds.ok()) return bounds.status();
+      options.bounds = std::move(bounds.value());
     }
     if (!command.straight.empty()) {
       Result<std::vector<StraightRun>> straight = readStraight(command.straight);
-      if (!straight.ok()) return straight.status;
-      options.straight = std::move(straight.value);
+      if (!straight.ok()) return straight.status();
+      options.straight = std::move(straight.value());
     }
     if (!command.pins.empty()) {
       Result<std::vector<Pin>> pins = readPins(command.pins);
-      if (!pins.ok()) return pins.status;
-      options.pins = std::move(pins.value);
+      if (!pins.ok()) return pins.status();
+      options.pins = std::move(pins.value());
     }
     options.progress = std::move(progress);
     Result<FlattenResult> result =
         placed(inputName(command.input), [&] { return flatten(mesh, options); });
     if (!result.ok()) return result;
     const Precision precision = precisionOf(writtenFormat(command.output));
-    if (precision == Precision::Single) roundToSinglePrecision(mesh, result.value);
-    if (precision == Precision::Gltf) roundForGltf(mesh, result.value);
+    if (precision == Precision::Single) roundToSinglePrecision(mesh, result.value());
+    if (precision == Precision::Gltf) roundForGltf(mesh, result.value());
     return result;
   }
 

@@ -16,17 +16,17 @@ int runInspect(const InspectCommand& command) {
     return exitCodeOf(status.code);
   };
   const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
-  if (!input.ok()) return ended(input.status);
+  if (!input.ok()) return ended(input.status());
   const Result<MeshSummary> summary = orOutOfMemory(name, [&]() -> Result<MeshSummary> {
-    MeshSummary found = inspect(input.value.mesh);
+    MeshSummary found = inspect(input.value().mesh);
     if (found.disk.code == StatusCode::OutOfMemory) return found.disk;
     return found;
   });
-  if (!summary.ok()) return ended(summary.status);
+  if (!summary.ok()) return ended(summary.status());
   OutputFile out(kStandardStream);
   const Status written =
-      out.writeNow(command.json ? inspectJson(summary.value, command.input)
-                                : inspectText(summary.value, name, input.value.notes));
+      out.writeNow(command.json ? inspectJson(summary.value(), command.input)
+                                : inspectText(summary.value(), name, input.value().notes));
   return written.ok() ? static_cast<int>(ExitCode::Valid) : ended(written);
 }
 

@@ -25,8 +25,8 @@ template <class Work>
 auto placed(const std::string& name, const Work& work) -> decltype(work()) {
   auto result = orOutOfMemory(name, work);
   // An out-of-memory message already names its place.
-  if (!result.ok() && result.status.code != StatusCode::OutOfMemory)
-    result.status.message = name + ": " + result.status.message;
+  if (!result.ok() && result.status().code != StatusCode::OutOfMemory)
+    return Status{result.status().code, name + ": " + result.status().message};
   return result;
 }
 
@@ -72,10 +72,10 @@ class MeshRun {
   int run() {
     if (Status s = checkTargets(); !s.ok()) return ended(s);
     Result<Outcome> result = computeFromInput();
-    if (!result.ok()) return endedWithoutResult(result.status);
-    if (Status s = writeAll(result.value); !s.ok()) return ended(s);
+    if (!result.ok()) return endedWithoutResult(result.status());
+    if (Status s = writeAll(result.value()); !s.ok()) return ended(s);
     progress_.clear();
-    const Report& report = result.value.report;
+    const Report& report = result.value().report;
     if (isTalking_)
       std::fputs(
           Job::summary(report, inputName(command_.input), outputName(command_.output)).c_str(),
@@ -107,8 +107,8 @@ class MeshRun {
     Result<InputMesh> input =
         readInput(command_.input, {Job::kRepeated, command_.allowsOutside, Job::gltf(command_)});
     readSeconds_ = secondsSince(start_);
-    if (!input.ok()) return input.status;
-    input_ = std::move(input.value);
+    if (!input.ok()) return input.status();
+    input_ = std::move(input.value());
     notes_ = input_.notes;
     if (input_.gltf && writtenFormat(command_.output) == FileFormat::Gltf) {
       noteCompression();
@@ -179,13 +179,13 @@ class MeshRun {
           input_, command_.output, texcoord_,
           {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result), turned});
     });
-    if (!layout.ok()) return layout.status;
+    if (!layout.ok()) return layout.status();
     noteMade(Job::triangleCorners(input_.mesh, result));
-    if (Status s = layout_.write(std::move(layout.value)); !s.ok()) return s;
+    if (Status s = layout_.write(std::move(layout.value())); !s.ok()) return s;
     for (std::size_t i = 0; i < extras_.size(); ++i) {
       Result<std::string> text = placed(name, [&] { return extraTexts_[i](input_.mesh, result); });
-      if (!text.ok()) return text.status;
-      if (Status s = extras_[i].write(std::move(text.value)); !s.ok()) return s;
+      if (!text.ok()) return text.status();
+      if (Status s = extras_[i].write(std::move(text.value())); !s.ok()) return s;
     }
     writeSeconds_ = secondsSince(begin);
     complete(result.report);

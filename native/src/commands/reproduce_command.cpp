@@ -21,11 +21,11 @@ class Reproduction {
 
   Status run() {
     const Result<std::vector<Model>> models = findModels(command_.meshes);
-    if (!models.ok()) return models.status;
+    if (!models.ok()) return models.status();
     if (Status s = folder_.prepare(); !s.ok()) return s;
-    for (std::size_t i = 0; i < models.value.size(); ++i) {
-      Experiment experiment(models.value[i]);
-      if (!command_.quiet) announce(experiment, i + 1, models.value.size());
+    for (std::size_t i = 0; i < models.value().size(); ++i) {
+      Experiment experiment(models.value()[i]);
+      if (!command_.quiet) announce(experiment, i + 1, models.value().size());
       if (Status s = add(experiment); !s.ok()) return s;
     }
     return writeSummaries();

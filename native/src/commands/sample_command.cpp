@@ -27,8 +27,8 @@ int runSample(const SampleCommand& command) {
   if (status.ok()) {
     Result<std::string> text =
         orOutOfMemory("sample " + command.name, [&] { return sampleText(command); });
-    status = text.status;
-    if (status.ok()) status = out.writeNow(std::move(text.value));
+    status = text.status();
+    if (status.ok()) status = out.writeNow(std::move(text.value()));
   }
   if (!status.ok()) complain(status.message);
   return exitCodeOf(status.code);

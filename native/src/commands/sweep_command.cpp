@@ -41,11 +41,11 @@ std::string csvText(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     out << boundText(row.t) << ',' << row.balance << ',';
     if (!row.result.ok()) {
-      out << ",,,,,,,,false,," << quoted(row.result.status.message) << '\n';
+      out << ",,,,,,,,false,," << quoted(row.result.status().message) << '\n';
       continue;
     }
-    const ChartReport& c = row.result.value.report.charts.front();
-    const Timings& s = row.result.value.report.timings;
+    const ChartReport& c = row.result.value().report.charts.front();
+    const Timings& s = row.result.value().report.timings;
     out << c.t << ',' << nameOf(c.solver) << ',' << c.iterations << ',' << c.angularDistortion
         << ',' << c.lengthDistortion << ',' << c.symmetricDirichlet << ',' << c.boundaryCrossings
         << ',' << c.flippedTriangles << ',' << (c.valid ? "true" : "false") << ','
@@ -66,11 +66,11 @@ std::string sweepTable(const std::vector<Row>& rows) {
     out << std::setw(8) << boundText(row.t) << std::setw(9) << numberText(row.balance);
     if (!row.result.ok()) {
       out << std::setw(80) << ""
-          << "  " << row.result.status.message << '\n';
+          << "  " << row.result.status().message << '\n';
       continue;
     }
-    const ChartReport& c = row.result.value.report.charts.front();
-    const Timings& s = row.result.value.report.timings;
+    const ChartReport& c = row.result.value().report.charts.front();
+    const Timings& s = row.result.value().report.timings;
     out << std::setw(8) << boundText(c.t) << std::setw(7) << c.iterations << std::fixed
         << std::setprecision(5) << std::setw(12) << c.angularDistortion << std::setprecision(4)
         << std::setw(12) << c.lengthDistortion << std::setw(12) << c.symmetricDirichlet
@@ -93,16 +93,16 @@ int runSweep(const SweepCommand& command) {
   OutputFile out(command.csv.empty() ? kStandardStream : command.csv);
   if (const Status s = out.check(); !s.ok()) return ended(s);
   const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
-  if (!input.ok()) return ended(input.status);
+  if (!input.ok()) return ended(input.status());
   std::vector<Row> rows;
   for (const double t : command.t) {
     for (const double balance : command.balance) {
       FlattenOptions options;
       options.t = t;
       options.balance = balance;
-      const auto run = [&] { return flatten(input.value.mesh, options); };
+      const auto run = [&] { return flatten(input.value().mesh, options); };
       rows.push_back({t, balance, orOutOfMemory(name, run)});
-      const Status& status = rows.back().result.status;
+      const Status& status = rows.back().result.status();
       // An error that neither t nor balance can change ends the sweep.
       if (!status.ok() && status.code != StatusCode::InfeasibleBound)
         return ended({status.code, name + ": " + status.message});

@@ -33,24 +33,24 @@ struct UnwrapJob {
     options.seams = command.seams;
     if (!command.seamFile.empty()) {
       Result<std::vector<EdgeVertices>> edges = readSeams(command.seamFile);
-      if (!edges.ok()) return edges.status;
-      options.seams.edges = std::move(edges.value);
+      if (!edges.ok()) return edges.status();
+      options.seams.edges = std::move(edges.value());
     }
     Result<std::vector<std::uint32_t>> kept =
         facesToKeep(command.keep, mesh, inputName(command.input));
-    if (!kept.ok()) return kept.status;
-    options.reuse.fixedFaces = std::move(kept.value);
+    if (!kept.ok()) return kept.status();
+    options.reuse.fixedFaces = std::move(kept.value());
     if (!command.pins.empty()) {
       Result<std::vector<Pin>> pins = readPins(command.pins);
-      if (!pins.ok()) return pins.status;
-      options.pins = std::move(pins.value);
+      if (!pins.ok()) return pins.status();
+      options.pins = std::move(pins.value());
     }
     options.precision = precisionOf(writtenFormat(command.output));
     options.progress = std::move(progress);
     const double afterReading = peakMemory();
     Result<UnwrapResult> result =
         placed(inputName(command.input), [&] { return unwrap(mesh, options); });
-    result.value.report.peakMemory.read = afterReading;
+    if (result.ok()) result.value().report.peakMemory.read = afterReading;
     return result;
   }
 

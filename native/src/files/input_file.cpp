@@ -19,12 +19,12 @@ bool isGltf(const std::string& path, std::string_view bytes) {
 
 Status readGltfInput(const std::string& path, const GltfReadOptions& options, InputMesh& input) {
   Result<GltfModel> model = readGltf(input.bytes, inputName(path), input.readResource, options);
-  if (!model.ok()) return model.status;
+  if (!model.ok()) return model.status();
   std::string().swap(input.bytes);
   input.format = FileFormat::Gltf;
-  input.mesh = std::move(model.value.mesh);
-  input.notes = std::move(model.value.notes);
-  input.gltf = std::move(model.value.source);
+  input.mesh = std::move(model.value().mesh);
+  input.notes = std::move(model.value().notes);
+  input.gltf = std::move(model.value().source);
   return {};
 }
 
@@ -39,12 +39,13 @@ void joinRepeated(InputMesh& input) {
 Status readMeshInput(const std::string& path, InputMesh& input) {
   const std::string name = inputName(path);
   const Result<MeshFormat> format = detectFormat(name, input.bytes);
-  if (!format.ok() && input.bytes.empty()) return format.status;
-  if (!format.ok()) return {format.status.code, name + " is not supported. Use " + kFormatNames};
-  input.format = static_cast<FileFormat>(format.value);
-  Result<PolygonMesh> mesh = readMesh(input.bytes, format.value, name);
-  input.mesh = std::move(mesh.value);
-  return mesh.status;
+  if (!format.ok() && input.bytes.empty()) return format.status();
+  if (!format.ok()) return {format.status().code, name + " is not supported. Use " + kFormatNames};
+  input.format = static_cast<FileFormat>(format.value());
+  Result<PolygonMesh> mesh = readMesh(input.bytes, format.value(), name);
+  if (!mesh.ok()) return mesh.status();
+  input.mesh = std::move(mesh.value());
+  return {};
 }
 
 }  // namespace
@@ -55,8 +56,8 @@ Result<InputMesh> readInput(const std::string& path, const ReadOptions& options)
     out.path = path;
     out.readResource = resourcesOf(path, options.allowsOutside);
     Result<std::string> bytes = readBytes(path);
-    if (!bytes.ok()) return bytes.status;
-    out.bytes = std::move(bytes.value);
+    if (!bytes.ok()) return bytes.status();
+    out.bytes = std::move(bytes.value());
     const Status status =
         isGltf(path, out.bytes) ? readGltfInput(path, options.gltf, out) : readMeshInput(path, out);
     if (!status.ok()) return status;

@@ -66,12 +66,12 @@ Result<std::vector<std::uint32_t>> facesToKeep(const KeptFaces& kept, const Poly
     Result<std::vector<std::uint32_t>> listed =
         readRows<std::uint32_t>(kept.file, "a face number, such as '17'", readIndex);
     if (!listed.ok()) return listed;
-    faces = std::move(listed.value);
+    faces = std::move(listed.value());
   }
   if (kept.hasUv || !kept.materials.empty()) {
     const Result<std::vector<std::uint32_t>> all = facesWithTexcoords(mesh);
-    if (!all.ok()) return Status{all.status.code, name + ": " + all.status.message};
-    if (kept.hasUv) faces.insert(faces.end(), all.value.begin(), all.value.end());
+    if (!all.ok()) return Status{all.status().code, name + ": " + all.status().message};
+    if (kept.hasUv) faces.insert(faces.end(), all.value().begin(), all.value().end());
   }
   for (const std::string& material : kept.materials)
     if (Status s = addMaterial(material, mesh, faces); !s.ok())

@@ -19,7 +19,7 @@ template <class Work>
 auto orOutOfMemory(const std::string& place, const Work& work) -> decltype(work()) {
   try {
     auto result = work();
-    if (result.status.code == StatusCode::OutOfMemory) result.status = outOfMemory(place);
+    if (result.status().code == StatusCode::OutOfMemory) return outOfMemory(place);
     return result;
   } catch (const std::bad_alloc&) {
     return outOfMemory(place);

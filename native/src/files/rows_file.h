@@ -23,8 +23,8 @@ inline bool readIndex(std::istream& in, std::uint32_t& index) {
 template <class Row, class Read>
 Result<std::vector<Row>> readRows(const std::string& path, const char* expected, const Read& read) {
   const Result<std::string> text = readBytes(path);
-  if (!text.ok()) return text.status;
-  std::istringstream in(text.value);
+  if (!text.ok()) return text.status();
+  std::istringstream in(text.value());
   std::vector<Row> rows;
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {

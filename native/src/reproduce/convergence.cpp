@@ -106,11 +106,11 @@ class Runs {
     options.formulation = m.formulation;
     options.precondition = precondition_;
     const Result<FlattenResult> result = experiment_.flattenedWith(options);
-    if (!result.ok()) return leaveOut(m, result.status.message);
-    const ChartReport& c = result.value.report.charts.front();
+    if (!result.ok()) return leaveOut(m, result.status().message);
+    const ChartReport& c = result.value().report.charts.front();
     if (const std::string why = strayed(c, m); !why.empty()) return leaveOut(m, why);
     if (!isIterative(m)) stalls_ = c.solver != Solver::ActiveSet;
-    addSteps(m, c, secondsOf(result.value.report));
+    addSteps(m, c, secondsOf(result.value().report));
   }
 
   const Plot& plot() const { return plot_; }

@@ -82,8 +82,8 @@ Result<std::vector<Model>> findModels(const std::string& folder) {
   }
   if (!folder.empty()) {
     const Result<std::vector<fs::path>> files = meshFiles(folder);
-    if (!files.ok()) return files.status;
-    for (const fs::path& file : files.value) {
+    if (!files.ok()) return files.status();
+    for (const fs::path& file : files.value()) {
       const std::string stem = file.stem().string();
       out.push_back({stem, plainName(stem), file.string(), {}, findPaperModel(stem)});
     }
@@ -100,9 +100,9 @@ double secondsOf(const Report& report) {
 
 Experiment::Experiment(const Model& model) : model_(model) {
   Result<InputMesh> input = load(model);
-  status_ = input.status;
+  status_ = input.status();
   if (!status_.ok()) return;
-  mesh_ = std::move(input.value.mesh);
+  mesh_ = std::move(input.value().mesh);
   summary_ = inspect(mesh_);
   status_ = summary_.disk;
 }
@@ -111,7 +111,7 @@ const Result<FlattenResult>& Experiment::flattened(double t) {
   if (const auto found = results_.find(t); found != results_.end()) return found->second;
   FlattenOptions options;
   options.t = t;
-  return results_[t] = flattenedWith(options);
+  return results_.emplace(t, flattenedWith(options)).first->second;
 }
 
 Result<FlattenResult> Experiment::flattenedWith(const FlattenOptions& options) const {

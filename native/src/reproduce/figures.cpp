@@ -28,7 +28,7 @@ Drawing layoutAt(Experiment& e, double t, double size) {
   options.size = size;
   options.title = boundTitle(t);
   const Result<FlattenResult>& flat = e.flattened(t);
-  return flat.ok() ? drawLayout(flat.value, options) : drawReason(flat.status.message, options);
+  return flat.ok() ? drawLayout(flat.value(), options) : drawReason(flat.status().message, options);
 }
 
 /// The mesh itself as the first panel.
@@ -78,10 +78,10 @@ Figure delaunayLayouts(Experiment& e) {
     options.delaunay = delaunay;
     drawing.title = delaunay ? "t = 1, Delaunay" : boundTitle(1);
     const Result<FlattenResult> flat = delaunay ? e.flattenedWith(options) : e.flattened(1);
-    if (delaunay && flat.ok() && !isDelaunay(flat.value))
+    if (delaunay && flat.ok() && !isDelaunay(flat.value()))
       drawing.title = "t = 1, no Delaunay layout found";
-    panels.push_back(flat.ok() ? drawLayout(flat.value, drawing)
-                               : drawReason(flat.status.message, drawing));
+    panels.push_back(flat.ok() ? drawLayout(flat.value(), drawing)
+                               : drawReason(flat.status().message, drawing));
   }
   return figure(e, 6, "Delaunay layout", panels);
 }
@@ -100,8 +100,8 @@ Result<Figure> systemMatrix(const Experiment& e) {
   for (const Formulation form : {Formulation::Log, Formulation::Product}) {
     Result<Drawing> panel =
         orOutOfMemory(e.model().name, [&] { return drawKktMatrix(e.mesh(), 1, form); });
-    if (!panel.ok()) return panel.status;
-    panels.push_back(std::move(panel.value));
+    if (!panel.ok()) return panel.status();
+    panels.push_back(std::move(panel.value()));
   }
   return figure(e, 4, "system matrix (8) at t = 1", panels);
 }
@@ -129,8 +129,8 @@ FigureSet makeFigures(Experiment& e) {
   std::string reason = whyNoMatrix(e);
   if (reason.empty()) {
     Result<Figure> matrix = systemMatrix(e);
-    reason = matrix.status.message;
-    if (matrix.ok()) out.figures.push_back(std::move(matrix.value));
+    reason = matrix.status().message;
+    if (matrix.ok()) out.figures.push_back(std::move(matrix.value()));
   }
   if (!reason.empty())
     out.remarks.push_back(figureHeading(4) + " of " + e.model().name + ": " + reason);

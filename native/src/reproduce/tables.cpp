@@ -30,8 +30,8 @@ double lengthPerClosedEdge(const ChartReport& c) {
 
 /// Angular and length distortion, crossings, flipped, valid, problem.
 Cells resultCells(const Result<FlattenResult>& result) {
-  if (!result.ok()) return {"", "", "", "", "", "no", result.status.message};
-  const ChartReport& c = result.value.report.charts.front();
+  if (!result.ok()) return {"", "", "", "", "", "no", result.status().message};
+  const ChartReport& c = result.value().report.charts.front();
   return {{c.angularDistortion, 5},
           {c.lengthDistortion, 4},
           {lengthPerClosedEdge(c), 4},
@@ -70,7 +70,7 @@ Cells firstRow(Experiment& e) {
   }
   const Result<FlattenResult>& result = e.flattened(1);
   Cells row = {e.model().name, e.summary().triangles,
-               result.ok() ? Cell(secondsOf(result.value.report), 3) : Cell()};
+               result.ok() ? Cell(secondsOf(result.value().report), 3) : Cell()};
   Cells cells = resultCells(result);
   const std::string problem = cells.back().exact;
   cells.pop_back();

@@ -91,8 +91,8 @@ TEST_CASE("reports come back from a library of JSON byte for byte") {
   const PolygonMesh mesh = bumpyGrid(6, 6, 0.3, 1);
   FlattenOptions options;
   options.balance = 1;
-  const std::string flat = reportJson(flatten(mesh, options).value.report);
+  const std::string flat = reportJson(flatten(mesh, options).value().report);
   CHECK(text(Json::parse(flat)) == flat);
-  const std::string atlas = unwrapReportJson(unwrap(mesh, UnwrapOptions{}).value.report);
+  const std::string atlas = unwrapReportJson(unwrap(mesh, UnwrapOptions{}).value().report);
   CHECK(text(Json::parse(atlas)) == atlas);
 }

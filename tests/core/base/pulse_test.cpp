@@ -88,13 +88,13 @@ TEST_CASE("a run that is cancelled while it sees the surface ends there") {
     };
     UnwrapOptions options;
     options.progress = stop;
-    CHECK(unwrap(mesh, options).status.code == StatusCode::Aborted);
+    CHECK(unwrap(mesh, options).status().code == StatusCode::Aborted);
     CHECK(calls == most);
     if (most > 2) continue;  // a disk is examined only once
     calls = 0;
     FlattenOptions disk;
     disk.progress = stop;
-    CHECK(flatten(zigzag(5000), disk).status.code == StatusCode::Aborted);
+    CHECK(flatten(zigzag(5000), disk).status().code == StatusCode::Aborted);
     CHECK(calls == most);
   }
 }

@@ -31,9 +31,9 @@ ChartReport flattened(const PolygonMesh& mesh, double t, Untangle untangle = Unt
   options.untangle = untangle;
   options.bounds = std::move(bounds);
   const Result<FlattenResult> r = flatten(mesh, options);
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  return r.value.report.charts.front();
+  return r.value().report.charts.front();
 }
 
 }  // namespace
@@ -123,11 +123,11 @@ TEST_CASE("bounds asked for are upper limits, however crossings are removed") {
         options.bounds.push_back({chart.inputVertex[chart.boundaryVertex(place)], asked[place]});
       }
       const Result<FlattenResult> r = flatten(mesh, options);
-      INFO(r.status.message);
+      INFO(r.status().message);
       REQUIRE(r.ok());
-      const ChartReport& report = r.value.report.charts.front();
+      const ChartReport& report = r.value().report.charts.front();
       INFO("t " << t << ", untangle " << nameOf(u) << ", " << report.problem);
-      const bool isKept = exceededBounds(chart, r.value.uv, asked).count == 0;
+      const bool isKept = exceededBounds(chart, r.value().uv, asked).count == 0;
       if (report.solver == Solver::Tutte)
         CHECK(report.valid == isKept);
       else
@@ -169,12 +169,12 @@ TEST_CASE("bounds that cannot be are refused") {
   FlattenOptions options;
   options.t = 1;
   options.bounds = {{5, 1.0}};  // an interior vertex
-  CHECK(flatten(mesh, options).status.code == StatusCode::InvalidOption);
+  CHECK(flatten(mesh, options).status().code == StatusCode::InvalidOption);
   options.bounds = {{0, -1.0}};
-  CHECK(flatten(mesh, options).status.code == StatusCode::InvalidOption);
+  CHECK(flatten(mesh, options).status().code == StatusCode::InvalidOption);
   options.bounds.clear();
   for (std::uint32_t v = 0; v < 4; ++v) options.bounds.push_back({v, 0.1});
-  CHECK(flatten(mesh, options).status.code == StatusCode::InfeasibleBound);
+  CHECK(flatten(mesh, options).status().code == StatusCode::InfeasibleBound);
 }
 
 TEST_CASE("a warm start reaches the same layout as a cold one") {

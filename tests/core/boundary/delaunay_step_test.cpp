@@ -21,9 +21,9 @@ FlattenResult flattened(const PolygonMesh& mesh, double t, bool delaunay) {
   options.t = t;
   options.delaunay = delaunay;
   Result<FlattenResult> r = flatten(mesh, options);
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  return std::move(r.value);
+  return std::move(r.value());
 }
 
 /// Edges whose two opposite angles, measured in the layout, add up to more than pi beyond rounding.
@@ -157,6 +157,6 @@ TEST_CASE("the condition on adjacent boundary edges bounds a free boundary at a 
     options.adjacent = true;
     const Result<FlattenResult> r = flatten(sample.make(1), options);
     REQUIRE(r.ok());
-    CHECK(r.value.report.charts.front().maxBoundaryAngle < 2 * 3.14159265358979);
+    CHECK(r.value().report.charts.front().maxBoundaryAngle < 2 * 3.14159265358979);
   }
 }

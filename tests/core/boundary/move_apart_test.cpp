@@ -102,9 +102,9 @@ Counted unwrapped(const PolygonMesh& mesh) {
     return true;
   };
   Result<UnwrapResult> r = unwrap(mesh, options);
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  out.report = std::move(r.value.report);
+  out.report = std::move(r.value().report);
   return out;
 }
 

@@ -50,10 +50,10 @@ TEST_CASE("straight runs are lines of the layout, for every t", "[straight]") {
   const Sheet sheet;
   for (const double t : {kAutoT, 1.0, 2.0}) {
     const Result<FlattenResult> r = flattened(sheet.mesh, sheet.sides, t);
-    INFO(r.status.message);
+    INFO(r.status().message);
     REQUIRE(r.ok());
-    CHECK(r.value.report.valid);
-    const ChartReport& chart = r.value.report.charts[0];
+    CHECK(r.value().report.valid);
+    const ChartReport& chart = r.value().report.charts[0];
     CHECK(chart.constraintResidual < 1e-9);
     REQUIRE(chart.straight);
     CHECK(chart.straight->runs == 4);
@@ -61,14 +61,14 @@ TEST_CASE("straight runs are lines of the layout, for every t", "[straight]") {
     CHECK(chart.straight->released == 0);
     CHECK(chart.straight->deviation < 1e-8);
     CHECK(chart.bounds.empty());
-    CHECK(offLine(r.value, {0, 1, 2, 3, 4, 5, 6, 7, 8}) < 1e-9);
-    CHECK(offLine(r.value, {8, 17, 26, 35, 44, 53, 62}) < 1e-9);
-    CHECK(offLine(r.value, {54, 55, 58, 61, 62}) < 1e-9);
+    CHECK(offLine(r.value(), {0, 1, 2, 3, 4, 5, 6, 7, 8}) < 1e-9);
+    CHECK(offLine(r.value(), {8, 17, 26, 35, 44, 53, 62}) < 1e-9);
+    CHECK(offLine(r.value(), {54, 55, 58, 61, 62}) < 1e-9);
   }
   const Result<FlattenResult> free = flattened(sheet.mesh, {}, 2);
   REQUIRE(free.ok());
-  CHECK_FALSE(free.value.report.charts[0].straight);
-  CHECK(offLine(free.value, {0, 1, 2, 3, 4, 5, 6, 7, 8}) > 1e-3);
+  CHECK_FALSE(free.value().report.charts[0].straight);
+  CHECK(offLine(free.value(), {0, 1, 2, 3, 4, 5, 6, 7, 8}) > 1e-3);
 }
 
 TEST_CASE("the interior point holds straight vertices, too", "[straight]") {
@@ -78,7 +78,7 @@ TEST_CASE("the interior point holds straight vertices, too", "[straight]") {
   const Result<StraightPlaces> straight = straightPlaces(chart, sheet.sides);
   REQUIRE(straight.ok());
   setBounds(problem, chart, BoundaryBounds(chart.boundary.size(), 0.9));
-  setStraight(problem, chart, straight.value);
+  setStraight(problem, chart, straight.value());
   AngleSolver solver(problem, {});
   const AngleSolution exact = solver.solve(nullptr), s = solver.solveWithFloor(1e-9);
   REQUIRE(exact.converged);
@@ -88,7 +88,7 @@ TEST_CASE("the interior point holds straight vertices, too", "[straight]") {
   for (const ChartCorner c : chart.corners()) sum[chart.vertexOfCorner[c]] += s.angles[c];
   for (const BoundaryIndex i : chart.boundary.ids()) {
     const double angle = sum[chart.boundaryVertex(i)];
-    if (straight.value[i] != 0)
+    if (straight.value()[i] != 0)
       CHECK(std::abs(angle - kPi) < 1e-9);
     else
       CHECK(angle < 0.9 * kPi + 1e-9);
@@ -105,14 +105,15 @@ TEST_CASE("how straight runs are is measured again once a layout is rounded", "[
   for (const bool isGltf : {false, true}) {
     Result<FlattenResult> r = flattened(sheet.mesh, sheet.sides, kAutoT);
     REQUIRE(r.ok());
-    CHECK(r.value.straight == straightVertices(chart, places.value));
-    const double before = r.value.report.charts[0].straight->deviation;
+    CHECK(r.value().straight == straightVertices(chart, places.value()));
+    const double before = r.value().report.charts[0].straight->deviation;
     if (isGltf)
-      roundForGltf(sheet.mesh, r.value);
+      roundForGltf(sheet.mesh, r.value());
     else
-      REQUIRE(roundToSinglePrecision(sheet.mesh, r.value));
-    const double now = r.value.report.charts[0].straight->deviation;
-    CHECK(now == Approx(reportStraight(chart, places.value, r.value.uv).deviation).epsilon(1e-6));
+      REQUIRE(roundToSinglePrecision(sheet.mesh, r.value()));
+    const double now = r.value().report.charts[0].straight->deviation;
+    CHECK(now ==
+          Approx(reportStraight(chart, places.value(), r.value().uv).deviation).epsilon(1e-6));
     CHECK(now > 2 * before);
     CHECK(now < 1e-4);
   }
@@ -126,8 +127,8 @@ TEST_CASE("straight runs of an atlas are measured as they are written", "[straig
     options.precision = isSingle ? Precision::Single : Precision::Double;
     const Result<UnwrapResult> r = unwrap(sheet.mesh, options);
     REQUIRE(r.ok());
-    REQUIRE(r.value.report.charts.at(0).straight);
-    return r.value.report.charts[0].straight->deviation;
+    REQUIRE(r.value().report.charts.at(0).straight);
+    return r.value().report.charts[0].straight->deviation;
   };
   CHECK(deviation(true) > 100 * deviation(false));
 }
@@ -136,8 +137,8 @@ TEST_CASE("straight runs that no layout can have are named", "[straight]") {
   const Sheet sheet;
   const auto message = [&](const std::vector<StraightRun>& runs, StatusCode code) {
     const Result<FlattenResult> r = flattened(sheet.mesh, runs, 2);
-    CHECK(r.status.code == code);
-    return r.status.message;
+    CHECK(r.status().code == code);
+    return r.status().message;
   };
   using Catch::Contains;
   CHECK_THAT(message({{0, 8}, {8, 7}}, StatusCode::InfeasibleBound), Contains("fewer than three"));
@@ -145,8 +146,8 @@ TEST_CASE("straight runs that no layout can have are named", "[straight]") {
              Contains("vertex 30") && Contains("not on the boundary"));
   CHECK_THAT(message({{3, 3}}, StatusCode::InvalidOption), Contains("begins and ends at vertex 3"));
   // One of the two other corners has a single triangle.
-  const std::string a = flattened(sheet.mesh, {{7, 17}}, 2).status.message;
-  const std::string b = flattened(sheet.mesh, {{1, 9}, {9, 1}}, 2).status.message;
+  const std::string a = flattened(sheet.mesh, {{7, 17}}, 2).status().message;
+  const std::string b = flattened(sheet.mesh, {{1, 9}, {9, 1}}, 2).status().message;
   CHECK((a + b).find("cuts off part of a straight run") != std::string::npos);
 }
 
@@ -157,9 +158,9 @@ TEST_CASE("a tube cut open with straight seams is a rectangle", "[straight]") {
   options.seams.isAuto = false;
   for (std::uint32_t j = 0; j < 6; ++j) options.seams.edges.push_back({16 * j, 16 * (j + 1)});
   const Result<UnwrapResult> result = unwrap(mesh, options);
-  INFO(result.status.message);
+  INFO(result.status().message);
   REQUIRE(result.ok());
-  const UnwrapReport& report = result.value.report;
+  const UnwrapReport& report = result.value().report;
   CHECK(report.valid);
   REQUIRE(report.charts.size() == 1);
   REQUIRE(report.charts[0].straight);
@@ -176,10 +177,10 @@ TEST_CASE("round rims are not made straight, and the report says so", "[straight
   options.seams.isAuto = false;
   const Result<UnwrapResult> result = unwrap(mesh, options);
   REQUIRE(result.ok());
-  CHECK(result.value.report.valid);
-  REQUIRE(result.value.report.charts[0].straight);
-  CHECK(result.value.report.charts[0].straight->vertices == 0);
-  CHECK(result.value.report.charts[0].straight->released == 24);
+  CHECK(result.value().report.valid);
+  REQUIRE(result.value().report.charts[0].straight);
+  CHECK(result.value().report.charts[0].straight->vertices == 0);
+  CHECK(result.value().report.charts[0].straight->released == 24);
 }
 
 TEST_CASE("bounds and runs that single precision cannot hold stay in double precision") {
@@ -192,16 +193,16 @@ TEST_CASE("bounds and runs that single precision cannot hold stay in double prec
     options.t = isStraight ? kAutoT : 1;
     if (isStraight) options.straight = {{0, 40}, {40, 204}, {204, 164}, {164, 0}};
     Result<FlattenResult> r = flatten(mesh, options);
-    INFO(r.status.message);
+    INFO(r.status().message);
     REQUIRE(r.ok());
-    REQUIRE(r.value.report.valid);
-    const std::vector<double> before = r.value.uv;
-    CHECK_FALSE(roundToSinglePrecision(mesh, r.value));
-    CHECK(r.value.uv == before);
-    CHECK(r.value.report.valid);
-    CHECK_FALSE(r.value.report.charts[0].fallbacks.empty());
-    roundForGltf(mesh, r.value);
-    CHECK_FALSE(r.value.report.valid);
-    CHECK_FALSE(r.value.report.charts[0].problem.empty());
+    REQUIRE(r.value().report.valid);
+    const std::vector<double> before = r.value().uv;
+    CHECK_FALSE(roundToSinglePrecision(mesh, r.value()));
+    CHECK(r.value().uv == before);
+    CHECK(r.value().report.valid);
+    CHECK_FALSE(r.value().report.charts[0].fallbacks.empty());
+    roundForGltf(mesh, r.value());
+    CHECK_FALSE(r.value().report.valid);
+    CHECK_FALSE(r.value().report.charts[0].problem.empty());
   }
 }

@@ -50,7 +50,7 @@ TEST_CASE("the functions for C give what those for C++ give", "[c]") {
   options.memory = 2048;
   options.udim = false;
   options.seams.sharpDegrees = 60;
-  const UnwrapResult expected = unwrap(mesh, options).value;
+  const UnwrapResult expected = unwrap(mesh, options).value();
   REQUIRE(expected.report.valid);
 
   const Options set;

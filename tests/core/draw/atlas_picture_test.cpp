@@ -16,7 +16,7 @@ namespace {
 UnwrapResult unwrapped(const PolygonMesh& mesh) {
   Result<UnwrapResult> r = unwrap(mesh, {});
   REQUIRE(r.ok());
-  return std::move(r.value);
+  return std::move(r.value());
 }
 
 }  // namespace
@@ -85,6 +85,6 @@ TEST_CASE("no picture in pixels of an atlas that is too large") {
   UnwrapResult r = unwrapped(tetrahedron());
   CHECK(atlasPng(tetrahedron(), r).ok());
   r.report.atlas.resolution = kMostPictureTexels + 1;
-  CHECK(atlasPng(tetrahedron(), r).status.code == StatusCode::InvalidOption);
-  CHECK(heatMapPng(tetrahedron(), r).status.code == StatusCode::InvalidOption);
+  CHECK(atlasPng(tetrahedron(), r).status().code == StatusCode::InvalidOption);
+  CHECK(heatMapPng(tetrahedron(), r).status().code == StatusCode::InvalidOption);
 }

@@ -93,8 +93,8 @@ TEST_CASE("slivers in flat regions do not ruin an atlas", "[unwrap]") {
     const Result<UnwrapResult> r = unwrap(withSliver(height), options);
     CAPTURE(height);
     REQUIRE(r.ok());
-    CHECK(r.value.report.valid);
-    CHECK(r.value.report.charts.size() == 1);
-    CHECK(r.value.report.symmetricDirichlet < 1 + 1e-6);
+    CHECK(r.value().report.valid);
+    CHECK(r.value().report.charts.size() == 1);
+    CHECK(r.value().report.symmetricDirichlet < 1 + 1e-6);
   }
 }

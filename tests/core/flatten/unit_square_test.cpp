@@ -29,7 +29,7 @@ double width(const std::vector<double>& uv, std::size_t axis) {
 TEST_CASE("a layout in the unit square has its shape, and its report holds for its numbers") {
   for (const double scale : {1e-250, 1e-9, 1.0, 339.0, 1e250}) {
     const PolygonMesh mesh = transformed(bumpyGrid(12, 5, 0.7, 5), scale, {0, 0, 0});
-    FlattenResult r = flatten(mesh, {}).value;
+    FlattenResult r = flatten(mesh, {}).value();
     const double proportion = width(r.uv, 0) / width(r.uv, 1);
     INFO(scale);
     REQUIRE(r.report.valid);
@@ -53,7 +53,7 @@ TEST_CASE("a layout in the unit square has its shape, and its report holds for i
 
 TEST_CASE("a layout without extent stays as it is") {
   const PolygonMesh mesh = bumpyGrid(3, 3, 0.4, 1);
-  FlattenResult r = flatten(mesh, {}).value;
+  FlattenResult r = flatten(mesh, {}).value();
   std::fill(r.uv.begin(), r.uv.end(), 7.0);
   fitUnitSquare(mesh, r);
   CHECK(std::all_of(r.uv.begin(), r.uv.end(), [](double x) { return x == 7; }));

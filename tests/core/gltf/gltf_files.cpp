@@ -8,7 +8,7 @@ std::string glbOf(std::string json, const std::string& buffer) {
   const std::string kSize = "{SIZE}";
   const std::size_t at = json.find(kSize);
   if (at != std::string::npos) json.replace(at, kSize.size(), std::to_string(buffer.size()));
-  return gltf::binaryFile(json, buffer, {}).value;
+  return gltf::binaryFile(json, buffer, {}).value();
 }
 
 std::string octahedronGlb() {

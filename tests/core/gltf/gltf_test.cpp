@@ -25,11 +25,11 @@ GltfModel unwrappedAgain(const GltfModel& model, const GltfWriteOptions& options
   const Result<UnwrapResult> result = unwrap(model.mesh, wanted);
   REQUIRE(result.ok());
   const Result<std::string> bytes =
-      writeGltf(*model.source, result.value.uv, result.value.cornerUv, options);
+      writeGltf(*model.source, result.value().uv, result.value().cornerUv, options);
   REQUIRE(bytes.ok());
-  Result<GltfModel> again = readAlone(bytes.value);
-  REQUIRE(again.status.message.empty());
-  return again.value;
+  Result<GltfModel> again = readAlone(bytes.value());
+  REQUIRE(again.status().message.empty());
+  return again.value();
 }
 
 TEST_CASE("base64 gives the same bytes back", "[gltf]") {
@@ -37,7 +37,7 @@ TEST_CASE("base64 gives the same bytes back", "[gltf]") {
   for (int size = 0; size < 70; ++size) {
     const Result<std::string> back = gltf::dataOf(gltf::dataUri(bytes));
     CHECK(back.ok());
-    CHECK(back.value == bytes);
+    CHECK(back.value() == bytes);
     bytes.push_back(static_cast<char>(37 * size));
   }
   CHECK_FALSE(gltf::dataOf("data:;base64,ab!c").ok());
@@ -63,16 +63,16 @@ TEST_CASE("strips and fans have the triangles that the specification says", "[gl
 TEST_CASE("a GLB is read with its transform, strides and sparse values", "[gltf]") {
   const Result<GltfModel> model = readAlone(octahedronGlb());
   REQUIRE(model.ok());
-  CHECK(model.value.mesh.vertexCount() == 6);
-  CHECK(model.value.mesh.faceCount() == 8);
-  const gltf::Document& document = model.value.source->document;
+  CHECK(model.value().mesh.vertexCount() == 6);
+  CHECK(model.value().mesh.faceCount() == 8);
+  const gltf::Document& document = model.value().source->document;
   CHECK(gltf::numbersOf(document, document.accessors[2])[3] == 40 / 255.0);
   const std::vector<double> target = gltf::numbersOf(document, document.accessors[3]);
   CHECK(target == std::vector<double>{0, 0, 0, 5, 6, 7, 0, 0, 0, 0, 0, 0, 8, 9, 10, 0, 0, 0});
 }
 
 TEST_CASE("written vertices repeat all attributes and morph targets", "[gltf]") {
-  const GltfModel before = readAlone(octahedronGlb()).value;
+  const GltfModel before = readAlone(octahedronGlb()).value();
   for (const bool isBinary : {true, false}) {
     GltfWriteOptions options;
     options.isBinary = isBinary;
@@ -100,14 +100,14 @@ TEST_CASE("written vertices repeat all attributes and morph targets", "[gltf]") 
 }
 
 TEST_CASE("texcoords of a file are exactly those that were checked", "[gltf]") {
-  const GltfModel model = readAlone(octahedronGlb()).value;
+  const GltfModel model = readAlone(octahedronGlb()).value();
   UnwrapOptions options;
   options.precision = Precision::Gltf;
-  const UnwrapResult result = unwrap(model.mesh, options).value;
+  const UnwrapResult result = unwrap(model.mesh, options).value();
   REQUIRE(result.report.valid);
   const std::string bytes =
-      writeGltf(*model.source, result.uv, result.cornerUv, GltfWriteOptions()).value;
-  const PolygonMesh again = readAlone(bytes).value.mesh;
+      writeGltf(*model.source, result.uv, result.cornerUv, GltfWriteOptions()).value();
+  const PolygonMesh again = readAlone(bytes).value().mesh;
   for (std::size_t c = 0; c < result.cornerUv.size(); ++c)
     for (std::size_t d = 0; d < 2; ++d)
       CHECK(again.texcoords[2 * again.faceTexcoords[c] + d] ==
@@ -135,7 +135,7 @@ TEST_CASE("a merged buffer keeps what is used, and its alignment", "[gltf]") {
 
 /// The error from reading this JSON with a buffer of that many zero bytes.
 std::string errorOf(const std::string& json, std::size_t bufferSize) {
-  return readAlone(test::glbOf(json, std::string(bufferSize, '\0'))).status.message;
+  return readAlone(test::glbOf(json, std::string(bufferSize, '\0'))).status().message;
 }
 
 /// JSON with an accessor that has no view, and these entries besides its type.
@@ -192,7 +192,7 @@ TEST_CASE("many keys of an object are refused, many meshes are read", "[gltf]") 
     meshes += comma + R"({"primitives":[{"attributes":{"POSITION":0}}]})";
   }
   const std::string head = R"({"asset": {"version": "2.0"}, )";
-  CHECK(readAlone(head + "\"extras\": {" + keys + "}}").status.message ==
+  CHECK(readAlone(head + "\"extras\": {" + keys + "}}").status().message ==
         "a.glb: the JSON has an object of more than 4096 entries");
   const Result<GltfModel> model = readAlone(test::glbOf(
       head +
@@ -201,8 +201,8 @@ TEST_CASE("many keys of an object are refused, many meshes are read", "[gltf]") 
         "meshes": [)" +
           meshes + "]}",
       std::string(36, '\0')));
-  CHECK(model.status.message.empty());
-  CHECK(model.value.mesh.faceCount() == kCount);
+  CHECK(model.status().message.empty());
+  CHECK(model.value().mesh.faceCount() == kCount);
 }
 
 // A file may contain anything: either it is read, or a sentence names it.
@@ -212,13 +212,13 @@ TEST_CASE("damaged files are refused or read, never more", "[gltf]") {
   const auto tryIt = [](const std::string& bytes) {
     const Result<GltfModel> model = readAlone(bytes);
     if (!model.ok()) {
-      CHECK(model.status.message.substr(0, 7) == "a.glb: ");
+      CHECK(model.status().message.substr(0, 7) == "a.glb: ");
       return;
     }
-    const std::size_t corners = model.value.mesh.faceVertices.size();
+    const std::size_t corners = model.value().mesh.faceVertices.size();
     std::vector<std::uint32_t> cornerUv(corners);
     for (std::size_t c = 0; c < corners; ++c) cornerUv[c] = static_cast<std::uint32_t>(c % 3);
-    CHECK(writeGltf(*model.value.source, {0, 0, 1, 0, 0, 1}, cornerUv, GltfWriteOptions()).ok());
+    CHECK(writeGltf(*model.value().source, {0, 0, 1, 0, 0, 1}, cornerUv, GltfWriteOptions()).ok());
   };
   for (std::size_t size = 0; size < good.size(); ++size) tryIt(good.substr(0, size));
   for (int i = 0; i < 4000; ++i) {

@@ -24,7 +24,7 @@ TEST_CASE("every ending is known, in any case, and by any name in front of it") 
       CAPTURE(ending);
       const Result<MeshFormat> format = detectFormat("folder/a.b" + ending, "");
       REQUIRE(format.ok());
-      CHECK(format.value == known.format);
+      CHECK(format.value() == known.format);
     }
 }
 
@@ -40,17 +40,17 @@ TEST_CASE("a format is written if the schema says how, and read back by name and
     CHECK(file.empty() == !isWritten);
     CHECK((i < kWrittenFormatCount) == isWritten);
     if (!isWritten) continue;
-    CHECK(detectFormat("-", file).value == format);
+    CHECK(detectFormat("-", file).value() == format);
     const Result<PolygonMesh> again = readMesh(file, format, "a");
     REQUIRE(again.ok());
-    CHECK(again.value.positions == mesh.positions);
-    CHECK(again.value.faceVertices == mesh.faceVertices);
+    CHECK(again.value().positions == mesh.positions);
+    CHECK(again.value().faceVertices == mesh.faceVertices);
     // With the file as its source, it is the same again.
-    CHECK(writeMesh(format, again.value, uv, cornerUv, file) == file);
+    CHECK(writeMesh(format, again.value(), uv, cornerUv, file) == file);
   }
 }
 
 TEST_CASE("a file that is no mesh is told which formats there are") {
   const Result<MeshFormat> format = detectFormat("notes.txt", "no mesh");
-  CHECK(format.status.message == "notes.txt is not supported. Use OBJ, PLY, STL or OFF");
+  CHECK(format.status().message == "notes.txt is not supported. Use OBJ, PLY, STL or OFF");
 }

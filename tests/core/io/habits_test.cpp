@@ -37,19 +37,19 @@ void check(const std::vector<Habit>& habits, MeshFormat format, const std::strin
   for (const Habit& habit : habits) {
     INFO(habit.name);
     const Result<PolygonMesh> r = readMesh(habit.text, format, "a." + ending);
-    INFO(r.status.message);
+    INFO(r.status().message);
     CHECK(r.ok() == (*habit.complaint == 0));
     if (*habit.complaint != 0) {
-      CHECK(r.status.code == StatusCode::ParseError);
-      CHECK(r.status.message.find(habit.complaint) != std::string::npos);
+      CHECK(r.status().code == StatusCode::ParseError);
+      CHECK(r.status().message.find(habit.complaint) != std::string::npos);
       continue;
     }
-    REQUIRE(r.value.faceCount() == 1);
-    CHECK(validateArrays(r.value).ok());
+    REQUIRE(r.value().faceCount() == 1);
+    CHECK(validateArrays(r.value()).ok());
     const std::array<double, 9> wanted{0, 0, 0, 1, 0, 0, 0, 1, 0};
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t d = 0; d < 3; ++d)
-        CHECK(r.value.positions[3 * r.value.faceVertices[c] + d] == wanted[3 * c + d]);
+        CHECK(r.value().positions[3 * r.value().faceVertices[c] + d] == wanted[3 * c + d]);
   }
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("OBJ: slashes with nothing behind them are not written again", "[habit
   const Result<PolygonMesh> mesh = readMesh(source, MeshFormat::Obj, "a.obj");
   REQUIRE(mesh.ok());
   const std::string text =
-      writeObj(mesh.value, {0, 0, 1, 0, 0, 1}, {0, 1, 2, 0, 1, 2, 2, 1, 0}, source);
+      writeObj(mesh.value(), {0, 0, 1, 0, 0, 1}, {0, 1, 2, 0, 1, 2, 2, 1, 0}, source);
   CHECK(text.find("f 1/1 2/2 3/3\nf 1/1/1 2/2/1 3/3 # c\nf 3/3 2/2 1/1 # c\n") !=
         std::string::npos);
 }

@@ -226,7 +226,7 @@ int differenceOf(const Result<PolygonMesh>& ours, const test::TinyMesh& theirs) 
   if (!ours.ok() && !theirs.isRead) return 0;
   if (!ours.ok()) return kWeRefuse;
   if (!theirs.isRead) return kTheyRefuse;
-  return isSame(ours.value, theirs) ? 0 : kOther;
+  return isSame(ours.value(), theirs) ? 0 : kOther;
 }
 
 using Tally = std::map<std::string, int>;
@@ -255,7 +255,7 @@ void compare(const std::string& text, Tally& tally) {
       ++tally[reason.name];
       return;
     }
-  INFO(ours.status.message << "\n" << text.substr(0, 2000));
+  INFO(ours.status().message << "\n" << text.substr(0, 2000));
   FAIL("a difference of kind " << kind << " without a reason");
 }
 

@@ -63,8 +63,8 @@ Result<PolygonMesh> readBinaryOff(const std::string& bytes) {
 
 std::string problemOf(const std::string& bytes) {
   const Result<PolygonMesh> r = readBinaryOff(bytes);
-  CHECK(r.status.code == StatusCode::ParseError);
-  return r.status.message;
+  CHECK(r.status().code == StatusCode::ParseError);
+  return r.status().message;
 }
 
 }  // namespace
@@ -83,17 +83,17 @@ TEST_CASE("OFF: a binary file is the mesh of the text file, in either byte order
         INFO(now.name << " " << isBigEndian << hasColors);
         for (const std::string end : {"", "\n"}) {
           const Result<PolygonMesh> r = readBinaryOff(pyramid(now) + end);
-          INFO(r.status.message);
+          INFO(r.status().message);
           REQUIRE(r.ok());
-          CHECK(r.value.positions == text.value.positions);
-          CHECK(r.value.faceVertices == text.value.faceVertices);
-          CHECK(r.value.faceOffsets == text.value.faceOffsets);
+          CHECK(r.value().positions == text.value().positions);
+          CHECK(r.value().faceVertices == text.value().faceVertices);
+          CHECK(r.value().faceOffsets == text.value().faceOffsets);
         }
       }
   const std::string bytes = pyramid({});
   const Result<MeshFormat> format = detectFormat("a.bin", bytes);
   REQUIRE(format.ok());
-  CHECK(format.value == MeshFormat::Off);
+  CHECK(format.value() == MeshFormat::Off);
 }
 
 TEST_CASE("OFF: what is wrong in a binary file is named with its place", "[off]") {

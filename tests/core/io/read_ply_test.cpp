@@ -17,10 +17,10 @@ Result<PolygonMesh> ply(const std::string& bytes) {
 
 void checkPlyError(const std::string& bytes, const std::string& place, const std::string& part) {
   const Result<PolygonMesh> r = ply(bytes);
-  INFO(r.status.message);
-  CHECK(r.status.code == StatusCode::ParseError);
-  CHECK(r.status.message.rfind(place, 0) == 0);
-  CHECK(r.status.message.find(part) != std::string::npos);
+  INFO(r.status().message);
+  CHECK(r.status().code == StatusCode::ParseError);
+  CHECK(r.status().message.rfind(place, 0) == 0);
+  CHECK(r.status().message.find(part) != std::string::npos);
 }
 
 const std::vector<std::vector<double>> kPoints = {{0, 0, 0}, {2, 0, 0}, {2, 1.5, 0.25}, {0, 1, 0}};
@@ -32,11 +32,11 @@ PlyTestElement faces() {
 }
 
 void checkQuadAndTriangle(const Result<PolygonMesh>& r) {
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  CHECK(r.value.positions == kPositions);
-  CHECK(r.value.faceOffsets == std::vector<std::uint32_t>{0, 4, 7});
-  CHECK(r.value.faceVertices == std::vector<std::uint32_t>{0, 1, 2, 3, 2, 1, 0});
+  CHECK(r.value().positions == kPositions);
+  CHECK(r.value().faceOffsets == std::vector<std::uint32_t>{0, 4, 7});
+  CHECK(r.value().faceVertices == std::vector<std::uint32_t>{0, 1, 2, 3, 2, 1, 0});
 }
 
 /// All kinds of lists on vertices and faces, unknown elements, a permuted order.
@@ -96,8 +96,8 @@ TEST_CASE("PLY: a point cloud, a blank line, padding and a byte order mark are h
   for (const std::string& format : kPlyFormats) {
     const Result<PolygonMesh> cloud = ply(plyFile(format, {vertices()}));
     REQUIRE(cloud.ok());
-    CHECK(cloud.value.vertexCount() == 4);
-    CHECK(cloud.value.faceCount() == 0);
+    CHECK(cloud.value().vertexCount() == 4);
+    CHECK(cloud.value().faceCount() == 0);
     const std::string bytes = plyFile(format, {vertices(), faces()});
     checkQuadAndTriangle(ply(bytes + "\n"));
     checkQuadAndTriangle(ply("\xEF\xBB\xBF" + bytes));
@@ -154,27 +154,27 @@ TEST_CASE("PLY: strips are read as triangles, and written as faces", "[ply]") {
         INFO(format);
         const std::string bytes = plyFile(format, elements, end);
         const Result<PolygonMesh> r = ply(bytes);
-        INFO(r.status.message);
+        INFO(r.status().message);
         REQUIRE(r.ok());
-        CHECK(r.value.positions == kPositions);
-        CHECK(r.value.faceVertices == triangles);
-        CHECK(r.value.faceOffsets == std::vector<std::uint32_t>{0, 3, 6});
+        CHECK(r.value().positions == kPositions);
+        CHECK(r.value().faceVertices == triangles);
+        CHECK(r.value().faceOffsets == std::vector<std::uint32_t>{0, 3, 6});
         // A seam between the two triangles repeats two vertices.
         const std::vector<double> uv = {0, 0, 1, 0, 0, 1, 0.5, 1, 1, 0.5, 1, 1};
-        const std::string written = writePly(r.value, uv, {0, 1, 2, 3, 4, 5}, bytes);
+        const std::string written = writePly(r.value(), uv, {0, 1, 2, 3, 4, 5}, bytes);
         CHECK(written.find("tristrips") == std::string::npos);
         CHECK(written.find("element face 2") != std::string::npos);
         CHECK(written.find("element edge 2") != std::string::npos);
         const Result<PolygonMesh> again = ply(written);
-        INFO(again.status.message);
+        INFO(again.status().message);
         REQUIRE(again.ok());
-        CHECK(again.value.vertexCount() == 6);
+        CHECK(again.value().vertexCount() == 6);
         for (std::size_t c = 0; c < triangles.size(); ++c) {
-          const std::size_t v = again.value.faceVertices[c];
+          const std::size_t v = again.value().faceVertices[c];
           for (std::size_t d = 0; d < 3; ++d)
-            CHECK(again.value.positions[3 * v + d] == kPositions[3 * triangles[c] + d]);
+            CHECK(again.value().positions[3 * v + d] == kPositions[3 * triangles[c] + d]);
           for (std::size_t d = 0; d < 2; ++d)
-            CHECK(again.value.texcoords[2 * again.value.faceTexcoords[c] + d] == uv[2 * c + d]);
+            CHECK(again.value().texcoords[2 * again.value().faceTexcoords[c] + d] == uv[2 * c + d]);
         }
       }
 }
@@ -209,9 +209,9 @@ TEST_CASE("PLY: any number of properties and elements is taken, no name twice", 
                            "property float z\n" +
                            properties;
   const Result<PolygonMesh> r = ply(head + "end_header\n1 2 3" + row + "\n");
-  INFO(r.status.message.substr(0, 200));
+  INFO(r.status().message.substr(0, 200));
   REQUIRE(r.ok());
-  CHECK(r.value.positions == std::vector<double>{1, 2, 3});
+  CHECK(r.value().positions == std::vector<double>{1, 2, 3});
   const std::string line = "a.ply:" + std::to_string(3 * kNames + 7) + ":";
   checkPlyError(head + "property int p7\nend_header\n", line, "duplicate property 'p7'");
   checkPlyError(head + "element e7 0\nend_header\n", line, "duplicate element 'e7'");
@@ -291,10 +291,10 @@ bool survivesWriting(const PolygonMesh& mesh, const std::string& bytes) {
   std::vector<std::uint32_t> cornerUv(mesh.faceVertices.size());
   for (std::size_t c = 0; c < cornerUv.size(); ++c) cornerUv[c] = static_cast<std::uint32_t>(c);
   const Result<PolygonMesh> back = ply(writePly(mesh, uv, cornerUv, bytes));
-  if (!back.ok() || back.value.faceOffsets != mesh.faceOffsets) return false;
+  if (!back.ok() || back.value().faceOffsets != mesh.faceOffsets) return false;
   for (std::size_t c = 0; c < mesh.faceVertices.size(); ++c)
     for (std::size_t d = 0; d < 3; ++d)
-      if (back.value.positions[3 * back.value.faceVertices[c] + d] !=
+      if (back.value().positions[3 * back.value().faceVertices[c] + d] !=
           mesh.positions[3 * mesh.faceVertices[c] + d])
         return false;
   return true;
@@ -309,8 +309,8 @@ TEST_CASE("PLY: damaged files are read or refused, never misread", "[ply]") {
     const std::string whole = plyFile(format, richElements());
     const auto isReadOrRefused = [](const std::string& damaged) {
       const Result<PolygonMesh> r = ply(damaged);
-      return r.ok() ? validateArrays(r.value).ok() && survivesWriting(r.value, damaged)
-                    : r.status.code == StatusCode::ParseError;
+      return r.ok() ? validateArrays(r.value()).ok() && survivesWriting(r.value(), damaged)
+                    : r.status().code == StatusCode::ParseError;
     };
     for (std::size_t n = 0; n <= whole.size(); ++n) CHECK(isReadOrRefused(whole.substr(0, n)));
     std::size_t refused = 0, bad = 0;
@@ -333,9 +333,9 @@ TEST_CASE("PLY: damaged files are read or refused, never misread", "[ply]") {
 }
 
 TEST_CASE("PLY: the format is told by the name, or else by the content", "[ply]") {
-  CHECK(detectFormat("dir/A.PLY", "").value == MeshFormat::Ply);
-  CHECK(detectFormat("-", "ply\r\nformat").value == MeshFormat::Ply);
-  CHECK(detectFormat("-", "plywood\n").status.code == StatusCode::UnreadableFile);
+  CHECK(detectFormat("dir/A.PLY", "").value() == MeshFormat::Ply);
+  CHECK(detectFormat("-", "ply\r\nformat").value() == MeshFormat::Ply);
+  CHECK(detectFormat("-", "plywood\n").status().code == StatusCode::UnreadableFile);
 }
 
 TEST_CASE("PLY: normals of vertices, in every encoding and type") {
@@ -347,20 +347,20 @@ TEST_CASE("PLY: normals of vertices, in every encoding and type") {
     v.rows[1][0] = v.rows[1][5] = 0;  // no direction
     const Result<PolygonMesh> mesh = ply(plyFile(format, {v, faces()}));
     checkQuadAndTriangle(mesh);
-    CHECK(mesh.value.normals == std::vector<double>{1, 0, -5, 0, 0, 0, 1, 0.25, -5, 1, 0, -5});
+    CHECK(mesh.value().normals == std::vector<double>{1, 0, -5, 0, 0, 0, 1, 0.25, -5, 1, 0, -5});
     const std::uint32_t no = kNoNormal;
-    CHECK(mesh.value.faceNormals == std::vector<std::uint32_t>{0, no, 2, 3, 2, no, 0});
+    CHECK(mesh.value().faceNormals == std::vector<std::uint32_t>{0, no, 2, 3, 2, no, 0});
     v.properties[2] = "double nothing";
-    CHECK(ply(plyFile(format, {v, faces()})).value.normals.empty());
+    CHECK(ply(plyFile(format, {v, faces()})).value().normals.empty());
     v.properties = {"list uchar char nz", "float x", "double ny", "float y", "float z", "float nx"};
     for (std::vector<double>& row : v.rows) row.insert(row.begin(), 1);
-    CHECK(ply(plyFile(format, {v, faces()})).value.faceNormals.empty());
+    CHECK(ply(plyFile(format, {v, faces()})).value().faceNormals.empty());
     v.properties = {"list uchar char links", "float x", "float nx", "float y", "float z", "int ny"};
     v.rows.clear();
     for (const std::vector<double>& p : kPoints)
       v.rows.push_back({1, 7, p[0], 0, p[1], p[2], 3, -1});
     v.properties.push_back("float nz");
-    CHECK(ply(plyFile(format, {v, faces()})).value.normals ==
+    CHECK(ply(plyFile(format, {v, faces()})).value().normals ==
           std::vector<double>{0, 3, -1, 0, 3, -1, 0, 3, -1, 0, 3, -1});
   }
 }
@@ -374,8 +374,8 @@ TEST_CASE("PLY: texcoords of vertices and of corners are kept in every encoding"
       v.rows.push_back({p[1], p[0], 9, p[1], p[2], p[0]});
     const Result<PolygonMesh> ofVertices = ply(plyFile(format, {v, faces()}));
     checkQuadAndTriangle(ofVertices);
-    CHECK(ofVertices.value.texcoords == std::vector<double>{0, 0, 2, 0, 2, 1.5, 0, 1});
-    CHECK(ofVertices.value.faceTexcoords == ofVertices.value.faceVertices);
+    CHECK(ofVertices.value().texcoords == std::vector<double>{0, 0, 2, 0, 2, 1.5, 0, 1});
+    CHECK(ofVertices.value().faceTexcoords == ofVertices.value().faceVertices);
     // Texcoords of corners (lists on faces) take precedence over those of vertices; a list of the
     // wrong length is ignored.
     const PlyTestElement f{"face",
@@ -385,8 +385,8 @@ TEST_CASE("PLY: texcoords of vertices and of corners are kept in every encoding"
       const Result<PolygonMesh> ofCorners = ply(plyFile(format, order));
       checkQuadAndTriangle(ofCorners);
       const std::uint32_t no = kNoTexcoord;
-      CHECK(ofCorners.value.texcoords == std::vector<double>{1, 2, 3, 4, 5, 6});
-      CHECK(ofCorners.value.faceTexcoords == std::vector<std::uint32_t>{no, no, no, no, 0, 1, 2});
+      CHECK(ofCorners.value().texcoords == std::vector<double>{1, 2, 3, 4, 5, 6});
+      CHECK(ofCorners.value().faceTexcoords == std::vector<std::uint32_t>{no, no, no, no, 0, 1, 2});
     }
   }
 }

@@ -19,10 +19,10 @@ Result<PolygonMesh> stl(const std::string& bytes) {
 
 void checkStlError(const std::string& bytes, const std::string& place, const std::string& part) {
   const Result<PolygonMesh> r = stl(bytes);
-  INFO(r.status.message);
-  CHECK(r.status.code == StatusCode::ParseError);
-  CHECK(r.status.message.rfind(place, 0) == 0);
-  CHECK(r.status.message.find(part) != std::string::npos);
+  INFO(r.status().message);
+  CHECK(r.status().code == StatusCode::ParseError);
+  CHECK(r.status().message.rfind(place, 0) == 0);
+  CHECK(r.status().message.find(part) != std::string::npos);
 }
 
 std::string littleEndian(std::uint32_t bits) {
@@ -77,14 +77,14 @@ PolygonMesh inFloats(PolygonMesh mesh) {
 
 /// Checks that faces keep their order and places, and that no two vertices share a place.
 void checkSame(const Result<PolygonMesh>& r, const PolygonMesh& mesh) {
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  CHECK(r.value.faceOffsets == mesh.faceOffsets);
-  CHECK(r.value.vertexCount() == mesh.vertexCount());
-  REQUIRE(r.value.faceVertices.size() == mesh.faceVertices.size());
+  CHECK(r.value().faceOffsets == mesh.faceOffsets);
+  CHECK(r.value().vertexCount() == mesh.vertexCount());
+  REQUIRE(r.value().faceVertices.size() == mesh.faceVertices.size());
   for (std::size_t c = 0; c < mesh.faceVertices.size(); ++c)
     for (std::size_t d = 0; d < 3; ++d)
-      CHECK(r.value.positions[3 * r.value.faceVertices[c] + d] ==
+      CHECK(r.value().positions[3 * r.value().faceVertices[c] + d] ==
             mesh.positions[3 * mesh.faceVertices[c] + d]);
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("STL: text and binary are welded to the mesh they come from", "[stl]")
     checkSame(stl(binaryStl(mesh, "solid as some programs begin")), mesh);
     checkSame(stl(textStl(mesh)), mesh);
     checkSame(stl(textStl(exact)), exact);
-    const MeshSummary before = inspect(mesh), after = inspect(stl(binaryStl(mesh)).value);
+    const MeshSummary before = inspect(mesh), after = inspect(stl(binaryStl(mesh)).value());
     CHECK(before.boundaryEdges == after.boundaryEdges);
     CHECK(before.genus == after.genus);
   }
@@ -121,13 +121,13 @@ TEST_CASE("STL: line ends, upper case, several solids and no facets", "[stl]") {
   checkSame(stl(upper), mesh);
   checkSame(stl("\xEF\xBB\xBF" + text), mesh);
   const Result<PolygonMesh> twice = stl(text + text);
-  CHECK(twice.value.faceCount() == 2 * mesh.faceCount());
-  CHECK(twice.value.vertexCount() == mesh.vertexCount());
+  CHECK(twice.value().faceCount() == 2 * mesh.faceCount());
+  CHECK(twice.value().vertexCount() == mesh.vertexCount());
   for (const std::string& nothing : {std::string("solid\nendsolid\n"), binaryStl({})}) {
     const Result<PolygonMesh> r = stl(nothing);
     REQUIRE(r.ok());
-    CHECK(r.value.faceCount() == 0);
-    CHECK(validateArrays(r.value).ok());
+    CHECK(r.value().faceCount() == 0);
+    CHECK(validateArrays(r.value()).ok());
   }
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("STL: 0 and -0 are one place, near places are two", "[stl]") {
   for (double& x : mesh.positions) x -= 1;
   const std::string text = textStl(mesh);
   checkSame(stl(replacedFirst(text, "vertex 0 0 0", "vertex -0 0 -0.0")), mesh);
-  CHECK(stl(replacedFirst(text, "vertex 0 0 0", "vertex 1e-300 0 0")).value.vertexCount() ==
+  CHECK(stl(replacedFirst(text, "vertex 0 0 0", "vertex 1e-300 0 0")).value().vertexCount() ==
         mesh.vertexCount() + 1);
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("STL: a facet without area stays a face", "[stl]") {
   mesh.faceOffsets.insert(mesh.faceOffsets.end(), {15, 18});
   for (const std::string& bytes : {binaryStl(mesh), textStl(mesh)}) {
     checkSame(stl(bytes), mesh);
-    const Status disk = inspect(stl(bytes).value).disk;
+    const Status disk = inspect(stl(bytes).value()).disk;
     CHECK(disk.code == StatusCode::DegenerateFace);
     CHECK(disk.message.find("face 4 uses vertex") != std::string::npos);
   }
@@ -187,7 +187,7 @@ TEST_CASE("STL: damaged files are read or refused, never misread", "[stl]") {
   std::mt19937_64 random(4);
   const auto isReadOrRefused = [](const std::string& damaged) {
     const Result<PolygonMesh> r = stl(damaged);
-    return r.ok() ? validateArrays(r.value).ok() : r.status.code == StatusCode::ParseError;
+    return r.ok() ? validateArrays(r.value()).ok() : r.status().code == StatusCode::ParseError;
   };
   for (const std::string& whole : {binaryStl(tetrahedron(), "solid"), textStl(tetrahedron())}) {
     for (std::size_t n = 0; n <= whole.size(); ++n) CHECK(isReadOrRefused(whole.substr(0, n)));
@@ -208,7 +208,7 @@ TEST_CASE("STL: damaged files are read or refused, never misread", "[stl]") {
 }
 
 TEST_CASE("STL: the format is told by the name, or else by the content", "[stl]") {
-  CHECK(detectFormat("dir/A.STL", "").value == MeshFormat::Stl);
-  CHECK(detectFormat("-", textStl(tetrahedron())).value == MeshFormat::Stl);
-  CHECK(detectFormat("-", binaryStl(tetrahedron())).value == MeshFormat::Stl);
+  CHECK(detectFormat("dir/A.STL", "").value() == MeshFormat::Stl);
+  CHECK(detectFormat("-", textStl(tetrahedron())).value() == MeshFormat::Stl);
+  CHECK(detectFormat("-", binaryStl(tetrahedron())).value() == MeshFormat::Stl);
 }

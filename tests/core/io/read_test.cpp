@@ -19,10 +19,10 @@ Result<PolygonMesh> off(const std::string& text) {
 
 /// Checks the message, which must begin with the place.
 void checkError(const Result<PolygonMesh>& r, const std::string& place, const std::string& part) {
-  INFO(r.status.message);
-  CHECK(r.status.code == StatusCode::ParseError);
-  CHECK(r.status.message.rfind(place, 0) == 0);
-  CHECK(r.status.message.find(part) != std::string::npos);
+  INFO(r.status().message);
+  CHECK(r.status().code == StatusCode::ParseError);
+  CHECK(r.status().message.rfind(place, 0) == 0);
+  CHECK(r.status().message.find(part) != std::string::npos);
 }
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -35,11 +35,11 @@ TEST_CASE("OBJ: polygons, negative indices, comments, CRLF, joined lines and ext
           "1e0 1. .5\r\nv 0 1 0\r\n"
           "vt 0 0\r\nvn 0 0 1\r\ng left#side\r\nf 1 2/1 3//1 4/1/1\r\nf -4 \\\r\n -3 -1 # "
           "last\r\nl 1 2\r\nf 5 1 2\r\nv 5 5 5");
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  CHECK(r.value.positions == std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0.5, 0, 1, 0, 5, 5, 5});
-  CHECK(r.value.faceOffsets == std::vector<std::uint32_t>{0, 4, 7, 10});
-  CHECK(r.value.faceVertices == std::vector<std::uint32_t>{0, 1, 2, 3, 0, 1, 3, 4, 0, 1});
+  CHECK(r.value().positions == std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0.5, 0, 1, 0, 5, 5, 5});
+  CHECK(r.value().faceOffsets == std::vector<std::uint32_t>{0, 4, 7, 10});
+  CHECK(r.value().faceVertices == std::vector<std::uint32_t>{0, 1, 2, 3, 0, 1, 3, 4, 0, 1});
 }
 
 TEST_CASE("OBJ: what is wrong is named with its line") {
@@ -65,20 +65,20 @@ TEST_CASE("OBJ: comments and names that end in a backslash do not swallow the ne
   for (const std::string vertex : {"v 9 9 9\n", "v 9 9 9 # first\n"}) {
     const Result<PolygonMesh> r =
         obj("# from C:\\models\\\n" + vertex + "g C:\\a\\\n" + kTriangle + "usemtl b\\\nf 2 3 4\n");
-    INFO(r.status.message);
+    INFO(r.status().message);
     REQUIRE(r.ok());
-    CHECK(r.value.vertexCount() == 4);
-    CHECK(r.value.faceVertices == std::vector<std::uint32_t>{1, 2, 3});
+    CHECK(r.value().vertexCount() == 4);
+    CHECK(r.value().faceVertices == std::vector<std::uint32_t>{1, 2, 3});
   }
 }
 
 TEST_CASE("OBJ: a backslash does not swallow a record of its own") {
   const Result<PolygonMesh> r =
       obj("v 9 9 9 \\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0 \\\nf 1 2 3\nl 1/1 2/1 \\\n f 2 3 4\n");
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  CHECK(r.value.vertexCount() == 4);
-  CHECK(r.value.faceVertices == std::vector<std::uint32_t>{0, 1, 2, 1, 2, 3});
+  CHECK(r.value().vertexCount() == 4);
+  CHECK(r.value().faceVertices == std::vector<std::uint32_t>{0, 1, 2, 1, 2, 3});
   checkError(obj(kTriangle + "f 1 2 3 \\\nf 3 2 1\n"), "a.obj:4: ", "is not a face corner");
 }
 
@@ -93,8 +93,8 @@ TEST_CASE("line ends are \\n, \\r\\n or \\r") {
       INFO(format << " " << end.size());
       checkError(format == 0 ? obj(text) : off(text), places[format], "'zz'");
       text.replace(text.find("zz"), 2, format == 0 ? "1" : "2");
-      CHECK((format == 0 ? obj(text) : off(text)).value.faceCount() == 2);
-      CHECK(detectFormat("-", text).value == (format == 0 ? MeshFormat::Obj : MeshFormat::Off));
+      CHECK((format == 0 ? obj(text) : off(text)).value().faceCount() == 2);
+      CHECK(detectFormat("-", text).value() == (format == 0 ? MeshFormat::Obj : MeshFormat::Off));
     }
 }
 
@@ -102,9 +102,9 @@ TEST_CASE("messages quote any bytes as short printable text") {
   const std::string junk = "\x01\x1b[2J\xff" + std::string(100000, 'x');
   for (const Result<PolygonMesh>& r : {obj("v 0 0 " + junk), obj(kTriangle + "f 1 2 " + junk),
                                        off(junk), off("OFF\n1 1 0\n0 0 " + junk)}) {
-    CHECK(r.status.code == StatusCode::ParseError);
-    CHECK(r.status.message.size() < 150);
-    for (const char c : r.status.message) CHECK((c >= ' ' && c <= '~'));
+    CHECK(r.status().code == StatusCode::ParseError);
+    CHECK(r.status().message.size() < 150);
+    for (const char c : r.status().message) CHECK((c >= ' ' && c <= '~'));
   }
 }
 
@@ -113,10 +113,10 @@ TEST_CASE("OFF: headers, counts, extra columns and comments") {
   for (const char* header : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "COFF\n# c\n3 1\n", "NOFF\r\n3 1 3\r\n",
                              "STOFF 3 1 0\n", "CNOFF\n3 1 0\n"}) {
     const Result<PolygonMesh> r = off(header + body);
-    INFO(header << r.status.message);
+    INFO(header << r.status().message);
     REQUIRE(r.ok());
-    CHECK(r.value.positions == std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0});
-    CHECK(r.value.faceVertices == std::vector<std::uint32_t>{0, 1, 2});
+    CHECK(r.value().positions == std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0});
+    CHECK(r.value().faceVertices == std::vector<std::uint32_t>{0, 1, 2});
   }
 }
 
@@ -151,8 +151,8 @@ TEST_CASE("OFF: remarks behind the last face are ignored") {
        {"\n\n", "# end\n", "END\n", "\x1a", "2 0 1\n", "made by hand", "3 0 1 by hand"}) {
     const Result<PolygonMesh> r = off(whole + rest);
     CHECK(r.ok());
-    CHECK(r.value.faceCount() == 1);
-    CHECK(r.value.faceVertices.size() == 3);
+    CHECK(r.value().faceCount() == 1);
+    CHECK(r.value().faceVertices.size() == 3);
   }
 }
 
@@ -171,7 +171,7 @@ const std::string kRichOff =
 /// Whether a text is either read into a consistent mesh or rejected as it should be.
 bool isReadOrRefused(const std::string& text, bool isObj) {
   const Result<PolygonMesh> r = isObj ? obj(text) : off(text);
-  return r.ok() ? validateArrays(r.value).ok() : r.status.code == StatusCode::ParseError;
+  return r.ok() ? validateArrays(r.value()).ok() : r.status().code == StatusCode::ParseError;
 }
 
 }  // namespace
@@ -206,12 +206,12 @@ TEST_CASE("a damaged file is read or refused, never misread into something inval
 }
 
 TEST_CASE("the format is told by the name, or else by the content") {
-  CHECK(detectFormat("dir/A.OBJ", "").value == MeshFormat::Obj);
-  CHECK(detectFormat("a.off", "v 0 0 0").value == MeshFormat::Off);
-  CHECK(detectFormat("-", "# c\n COFF 1 2 3\n").value == MeshFormat::Off);
-  CHECK(detectFormat("-", "# c\no thing\nv 0 0 0\n").value == MeshFormat::Obj);
-  CHECK(detectFormat("a.glb", "glTF").status.code == StatusCode::UnreadableFile);
-  CHECK(detectFormat("-", "").status.code == StatusCode::UnreadableFile);
+  CHECK(detectFormat("dir/A.OBJ", "").value() == MeshFormat::Obj);
+  CHECK(detectFormat("a.off", "v 0 0 0").value() == MeshFormat::Off);
+  CHECK(detectFormat("-", "# c\n COFF 1 2 3\n").value() == MeshFormat::Off);
+  CHECK(detectFormat("-", "# c\no thing\nv 0 0 0\n").value() == MeshFormat::Obj);
+  CHECK(detectFormat("a.glb", "glTF").status().code == StatusCode::UnreadableFile);
+  CHECK(detectFormat("-", "").status().code == StatusCode::UnreadableFile);
 }
 
 TEST_CASE("arrays that contradict themselves are refused with the place") {
@@ -241,23 +241,23 @@ TEST_CASE(
       obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nvt 0.5 0.25 0\nvt 1 # c\nvt nan 0\nvt a b\n"
           "usemtl red\nf 2/1 4/2 3/3\nf 2/4/1 4/-3 3/9\nusemtl a b#c\nf 1//1 2/5 3\nusemtl red\n"
           "f 1 2 3\nvt 7 \\\n 8\n");
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  CHECK(r.value.faceTexcoords ==
+  CHECK(r.value().faceTexcoords ==
         std::vector<std::uint32_t>{no, no, no, 0, 1, no, no, 1, no, no, 4, no, no, no, no});
-  CHECK(r.value.texcoords[0] == 0.5);
-  CHECK(r.value.texcoords[1] == 0.25);
-  CHECK(r.value.texcoords[2] == 1);
-  CHECK(r.value.texcoords[3] == 0);
-  CHECK(r.value.texcoords[9] == 8);
-  CHECK(r.value.faceMaterials == std::vector<std::uint32_t>{0, 1, 1, 2, 1});
-  CHECK(r.value.materialNames == std::vector<std::string>{"", "red", "a b#c"});
-  CHECK(validateArrays(r.value).ok());
+  CHECK(r.value().texcoords[0] == 0.5);
+  CHECK(r.value().texcoords[1] == 0.25);
+  CHECK(r.value().texcoords[2] == 1);
+  CHECK(r.value().texcoords[3] == 0);
+  CHECK(r.value().texcoords[9] == 8);
+  CHECK(r.value().faceMaterials == std::vector<std::uint32_t>{0, 1, 1, 2, 1});
+  CHECK(r.value().materialNames == std::vector<std::string>{"", "red", "a b#c"});
+  CHECK(validateArrays(r.value()).ok());
   const Result<PolygonMesh> none = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1 2 3/2\n");
   REQUIRE(none.ok());
-  CHECK(none.value.texcoords.empty());
-  CHECK(none.value.faceTexcoords.empty());
-  CHECK(none.value.faceMaterials.empty());
+  CHECK(none.value().texcoords.empty());
+  CHECK(none.value().faceTexcoords.empty());
+  CHECK(none.value().faceMaterials.empty());
 }
 
 TEST_CASE("OBJ: normals of corners, and what counts as none") {
@@ -266,18 +266,18 @@ TEST_CASE("OBJ: normals of corners, and what counts as none") {
       obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nvn 0 0 1\nvn 1 2 # c\nvn nan 0 1\n"
           "vn 0 0 0\nvn 0 .5 2e-3 7\nf 2//1 4//2 3//3\nf 2/1/4 1/9/-1 3//9\nf 1//-9 2//6 3/1\n"
           "vn 9 8 7\n");
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  CHECK(r.value.faceNormals ==
+  CHECK(r.value().faceNormals ==
         std::vector<std::uint32_t>{no, no, no, 0, no, no, no, 4, no, no, 5, no});
-  CHECK(r.value.normals[13] == 0.5);
-  CHECK(r.value.normals[14] == 2e-3);
-  CHECK(r.value.normals[17] == 7);
-  CHECK(validateArrays(r.value).ok());
+  CHECK(r.value().normals[13] == 0.5);
+  CHECK(r.value().normals[14] == 2e-3);
+  CHECK(r.value().normals[17] == 7);
+  CHECK(validateArrays(r.value()).ok());
   const Result<PolygonMesh> none = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3//2\n");
   REQUIRE(none.ok());
-  CHECK(none.value.normals.empty());
-  CHECK(none.value.faceNormals.empty());
+  CHECK(none.value().normals.empty());
+  CHECK(none.value().faceNormals.empty());
 }
 
 TEST_CASE("OBJ: smoothing groups, unless there are normals") {
@@ -285,8 +285,8 @@ TEST_CASE("OBJ: smoothing groups, unless there are normals") {
   const auto groups = [&](const std::string& text) {
     const Result<PolygonMesh> r = obj(points + text);
     REQUIRE(r.ok());
-    CHECK(validateArrays(r.value).ok());
-    return r.value.faceSmoothing;
+    CHECK(validateArrays(r.value()).ok());
+    return r.value().faceSmoothing;
   };
   using Groups = std::vector<std::uint32_t>;
   const std::string f = "f 1 2 3\n";

@@ -21,9 +21,9 @@ const std::vector<std::vector<double>> kSheetPoints = {{0, 0, 0}, {1, 0, 0}, {2,
 
 PolygonMesh read(const std::string& bytes) {
   const Result<PolygonMesh> r = readMesh(bytes, MeshFormat::Ply, "a.ply");
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  return r.value;
+  return r.value();
 }
 
 /// Attributes of vertices and faces, elements before and after, in an unusual order.

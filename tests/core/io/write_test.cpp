@@ -15,9 +15,9 @@ TEST_CASE("a mesh without source text is written completely") {
   const PolygonMesh mesh = renumbered(bumpyGrid(5, 4, 0.3, 1), 2).mesh;
   const Result<PolygonMesh> back = readMesh(writeObj(mesh, {}, {}), MeshFormat::Obj, "a");
   REQUIRE(back.ok());
-  CHECK(back.value.positions == mesh.positions);
-  CHECK(back.value.faceOffsets == mesh.faceOffsets);
-  CHECK(back.value.faceVertices == mesh.faceVertices);
+  CHECK(back.value().positions == mesh.positions);
+  CHECK(back.value().faceOffsets == mesh.faceOffsets);
+  CHECK(back.value().faceVertices == mesh.faceVertices);
 }
 
 TEST_CASE("everything but texcoords and faces is copied from the source text") {
@@ -116,11 +116,11 @@ TEST_CASE("random meshes come back with their texcoords, bit for bit") {
     PolygonMesh wanted;
     const std::string source = randomObj(random, wanted);
     const Result<PolygonMesh> read = readMesh(source, MeshFormat::Obj, "a");
-    INFO(read.status.message << "\n" << source);
+    INFO(read.status().message << "\n" << source);
     REQUIRE(read.ok());
-    REQUIRE(read.value.positions == wanted.positions);
-    REQUIRE(read.value.faceOffsets == wanted.faceOffsets);
-    REQUIRE(read.value.faceVertices == wanted.faceVertices);
+    REQUIRE(read.value().positions == wanted.positions);
+    REQUIRE(read.value().faceOffsets == wanted.faceOffsets);
+    REQUIRE(read.value().faceVertices == wanted.faceVertices);
 
     std::vector<double> uv(2 * (1 + random() % 40)), wantedUv;
     for (double& x : uv) x = coordinate(random) * std::pow(10, 20 * coordinate(random));
@@ -133,9 +133,9 @@ TEST_CASE("random meshes come back with their texcoords, bit for bit") {
       const std::string text = writeObj(wanted, uv, cornerUv, from);
       REQUIRE(cornerTexcoords(text) == wantedUv);
       const Result<PolygonMesh> back = readMesh(text, MeshFormat::Obj, "a");
-      REQUIRE(back.value.positions == wanted.positions);
-      REQUIRE(back.value.faceOffsets == wanted.faceOffsets);
-      REQUIRE(back.value.faceVertices == wanted.faceVertices);
+      REQUIRE(back.value().positions == wanted.positions);
+      REQUIRE(back.value().faceOffsets == wanted.faceOffsets);
+      REQUIRE(back.value().faceVertices == wanted.faceVertices);
       // Rewriting its own result changes nothing.
       REQUIRE(writeObj(wanted, uv, cornerUv, text) == text);
     }
@@ -154,13 +154,13 @@ TEST_CASE("a texcoord that is left out joins no lines, and begins no text with a
     INFO(source);
     const Result<PolygonMesh> mesh = readMesh(source, MeshFormat::Obj, "a");
     REQUIRE(mesh.ok());
-    const Result<PolygonMesh> back =
-        readMesh(writeObj(mesh.value, {0, 0, 1, 0, 0, 1}, {0, 1, 2}, source), MeshFormat::Obj, "b");
-    INFO(back.status.message);
+    const Result<PolygonMesh> back = readMesh(
+        writeObj(mesh.value(), {0, 0, 1, 0, 0, 1}, {0, 1, 2}, source), MeshFormat::Obj, "b");
+    INFO(back.status().message);
     REQUIRE(back.ok());
-    CHECK(back.value.positions == mesh.value.positions);
-    CHECK(back.value.faceVertices == mesh.value.faceVertices);
-    CHECK(back.value.texcoords == std::vector<double>{0, 0, 1, 0, 0, 1});
+    CHECK(back.value().positions == mesh.value().positions);
+    CHECK(back.value().faceVertices == mesh.value().faceVertices);
+    CHECK(back.value().texcoords == std::vector<double>{0, 0, 1, 0, 0, 1});
   }
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("lines that are joined with an empty one end there") {
   const std::string source = head + "l 1/1 2/1 \\\n\\\n\nf 1 2 3 \\\n\nl 1/1 2/1\\\n\nf 3 2 1\n";
   CHECK(writeObj({}, {0, 0, 1, 0, 0, 1}, {0, 1, 2, 2, 1, 0}, source) ==
         head + "l 1 2\n" + texcoords + "f 1/1 2/2 3/3\nl 1 2\nf 3/3 2/2 1/1\n");
-  CHECK(readMesh(source, MeshFormat::Obj, "a").value.faceCount() == 2);
+  CHECK(readMesh(source, MeshFormat::Obj, "a").value().faceCount() == 2);
 }
 
 TEST_CASE("line ends of the source are kept, mixed ones too") {

@@ -193,7 +193,7 @@ TEST_CASE("a polygon with holes becomes one chart, as large as it is", "[polygon
     options.fillHoles = seed % 2 ? FillHoles::Always : FillHoles::Auto;
     const Result<UnwrapResult> result = unwrap(bridged.mesh(), options);
     REQUIRE(result.ok());
-    const UnwrapReport& report = result.value.report;
+    const UnwrapReport& report = result.value().report;
     CHECK(report.valid);
     REQUIRE(report.charts.size() == 1);
     CHECK(report.charts[0].area == Approx(bridged.area()));

@@ -204,8 +204,8 @@ TEST_CASE("vertices that no face uses are not there", "[unused]") {
     const Result<UnwrapResult> plain = unwrap(mesh, options), stray = unwrap(more, options);
     REQUIRE(plain.ok());
     REQUIRE(stray.ok());
-    CHECK(stray.value.uv == plain.value.uv);
-    CHECK(stray.value.cornerUv == plain.value.cornerUv);
-    CHECK(stray.value.report.repair.mergedVertices == plain.value.report.repair.mergedVertices);
+    CHECK(stray.value().uv == plain.value().uv);
+    CHECK(stray.value().cornerUv == plain.value().cornerUv);
+    CHECK(stray.value().report.repair.mergedVertices == plain.value().report.repair.mergedVertices);
   }
 }

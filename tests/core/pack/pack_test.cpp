@@ -38,10 +38,10 @@ PackShape scaled(PackShape shape, double by) {
 
 Packing packed(const std::vector<PackShape>& shapes, const PackOptions& options) {
   const Result<Packing> result = pack(shapes, options);
-  INFO(result.status.message);
+  INFO(result.status().message);
   REQUIRE(result.ok());
-  REQUIRE(result.value.placements.size() == shapes.size());
-  return result.value;
+  REQUIRE(result.value().placements.size() == shapes.size());
+  return result.value();
 }
 
 void checkPacked(const std::vector<PackShape>& shapes, const PackOptions& options) {
@@ -122,8 +122,8 @@ TEST_CASE("as many texels as charts is enough room", "[pack][quality]") {
     const int least = 20 + 19 * padding + 2 * ((padding + 1) / 2);
     checkPacked(shapes, at(least, padding));
     const Result<Packing> none = pack(shapes, at(least - 1, padding));
-    CHECK(none.status.code == StatusCode::AtlasTooSmall);
-    CHECK(none.status.message.find("Raise the resolution to " + std::to_string(least)) !=
+    CHECK(none.status().code == StatusCode::AtlasTooSmall);
+    CHECK(none.status().message.find("Raise the resolution to " + std::to_string(least)) !=
           std::string::npos);
   }
 }
@@ -131,7 +131,7 @@ TEST_CASE("as many texels as charts is enough room", "[pack][quality]") {
 TEST_CASE("room for single texels is found where cells are larger", "[pack]") {
   const std::vector<PackShape> shapes = makePackShapes("triangles", 4, 3, 1);
   checkPacked(shapes, at(582, 290));
-  CHECK(pack(shapes, at(581, 290)).status.message.find("resolution to 582") != std::string::npos);
+  CHECK(pack(shapes, at(581, 290)).status().message.find("resolution to 582") != std::string::npos);
 }
 
 TEST_CASE("the unit of the charts does not matter", "[pack]") {
@@ -249,11 +249,11 @@ TEST_CASE("a density that does not fit names one, and a resolution, that do", "[
       if (factor < 2 && tight.ok()) continue;
       PackOptions coarser = options, finer = options;
       coarser.texelDensity =
-          after("do not fit one tile of 64 texels. Lower the density to ", tight.status);
+          after("do not fit one tile of 64 texels. Lower the density to ", tight.status());
       CHECK(coarser.texelDensity < options.texelDensity);
       CHECK(coarser.texelDensity > 0.9 * most);
       CHECK(complaint(shapes, packed(shapes, coarser), coarser) == "");
-      finer.resolution = static_cast<int>(after("raise the resolution to ", tight.status));
+      finer.resolution = static_cast<int>(after("raise the resolution to ", tight.status()));
       CHECK(finer.resolution < 1.2 * factor * 64);
       CHECK(complaint(shapes, packed(shapes, finer), finer) == "");
     }
@@ -268,8 +268,8 @@ TEST_CASE("a chart larger than a tile names the density and resolution that it f
   const Result<Packing> none = pack(shapes, options);
   PackOptions coarser = options, finer = options;
   coarser.texelDensity =
-      after("does not fit a tile of 64 texels. Lower the density to ", none.status);
-  finer.resolution = static_cast<int>(after("raise the resolution to ", none.status));
+      after("does not fit a tile of 64 texels. Lower the density to ", none.status());
+  finer.resolution = static_cast<int>(after("raise the resolution to ", none.status()));
   CHECK(complaint(shapes, packed(shapes, coarser), coarser) == "");
   CHECK(complaint(shapes, packed(shapes, finer), finer) == "");
 }
@@ -294,23 +294,23 @@ TEST_CASE("fixed charts stay, and others go around them", "[pack]") {
   CHECK(packing.tiles == 14);
   CHECK(complaint(shapes, packing, options) == "");
   options.udim = false;
-  CHECK(pack(shapes, options).status.message.find("chart 7 is fixed") == 0);
+  CHECK(pack(shapes, options).status().message.find("chart 7 is fixed") == 0);
 }
 
 TEST_CASE("what cannot be packed is named", "[pack]") {
   const std::vector<PackShape> shapes = makePackShapes("mixed", 3, 3, 2);
-  CHECK(pack(shapes, at(0, 0)).status.code == StatusCode::InvalidOption);
-  CHECK(pack(shapes, at(8, -1)).status.code == StatusCode::InvalidOption);
-  CHECK(pack(shapes, at(8, 8)).status.code == StatusCode::InvalidOption);
+  CHECK(pack(shapes, at(0, 0)).status().code == StatusCode::InvalidOption);
+  CHECK(pack(shapes, at(8, -1)).status().code == StatusCode::InvalidOption);
+  CHECK(pack(shapes, at(8, 8)).status().code == StatusCode::InvalidOption);
   PackOptions options;
   options.texelDensity = std::nan("");
-  CHECK(pack(shapes, options).status.code == StatusCode::InvalidOption);
+  CHECK(pack(shapes, options).status().code == StatusCode::InvalidOption);
   std::vector<PackShape> broken = shapes;
   broken[1].uv[3] = INFINITY;
-  CHECK(pack(broken, {}).status.message.find("chart 1 ") == 0);
+  CHECK(pack(broken, {}).status().message.find("chart 1 ") == 0);
   options = {};
   options.progress = [](double) { return false; };
-  CHECK(pack(shapes, options).status.code == StatusCode::Aborted);
+  CHECK(pack(shapes, options).status().code == StatusCode::Aborted);
   CHECK(packed({}, {}).tiles == 1);
 }
 

@@ -18,18 +18,19 @@ using Complex = std::complex<double>;
 /// A flattened mesh, in which every output vertex has the number of its input vertex.
 PinnedMesh flat(const PolygonMesh& mesh, std::vector<std::uint32_t> pins) {
   Result<FlattenResult> r = flatten(mesh, {});
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  return {mesh, std::move(r.value.uv), std::move(pins)};
+  return {mesh, std::move(r.value().uv), std::move(pins)};
 }
 
 std::vector<Complex> weightsOf(const PinnedMesh& layout) {
   const Result<std::vector<double>> r = pinWeights(layout);
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  REQUIRE(r.value.size() == layout.uv.size());
+  REQUIRE(r.value().size() == layout.uv.size());
   std::vector<Complex> out;
-  for (std::size_t i = 0; i < r.value.size(); i += 2) out.emplace_back(r.value[i], r.value[i + 1]);
+  for (std::size_t i = 0; i < r.value().size(); i += 2)
+    out.emplace_back(r.value()[i], r.value()[i + 1]);
   return out;
 }
 
@@ -156,8 +157,8 @@ TEST_CASE("pins that cannot be dragged are refused", "[pin]") {
   const PinnedMesh good = flat(bumpyGrid(4, 4, 0.2, 2), {3, 7, 20});
   const auto message = [](const PinnedMesh& layout) {
     const Result<std::vector<double>> r = pinWeights(layout);
-    CHECK(r.status.code == StatusCode::InvalidOption);
-    return r.status.message;
+    CHECK(r.status().code == StatusCode::InvalidOption);
+    return r.status().message;
   };
   const auto withPins = [&](std::vector<std::uint32_t> pins) {
     PinnedMesh out = good;

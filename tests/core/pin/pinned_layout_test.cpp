@@ -25,9 +25,9 @@ Result<FlattenResult> flattened(const PolygonMesh& mesh, const std::vector<Pin>&
 
 FlattenResult pinned(const PolygonMesh& mesh, const std::vector<Pin>& pins, double t = 2) {
   Result<FlattenResult> r = flattened(mesh, pins, t);
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  return std::move(r.value);
+  return std::move(r.value());
 }
 
 /// In these meshes every output vertex has the number of its input vertex.
@@ -153,19 +153,19 @@ TEST_CASE("pins keep to the memory that is allowed", "[pin]") {
                     pinAt((n + 1) * 40 + 31, {34, 50})};
     const Result<FlattenResult> usual = flatten(mesh, options);
     REQUIRE(usual.ok());
-    CHECK(usual.value.report.charts[0].fallbacks.empty());
+    CHECK(usual.value().report.charts[0].fallbacks.empty());
     for (const double memory : {12.0, 8.0, 0.5}) {
       if (kIsInstrumented && memory == 8) continue;
       options.memory = memory;
       const Result<FlattenResult> limited = flatten(mesh, options);
       REQUIRE(limited.ok());
       // In a layout about 130 wide.
-      CHECK(largestDifference(limited.value.uv, usual.value.uv) < 1e-7);
-      const std::vector<std::string>& notes = limited.value.report.charts[0].fallbacks;
+      CHECK(largestDifference(limited.value().uv, usual.value().uv) < 1e-7);
+      const std::vector<std::string>& notes = limited.value().report.charts[0].fallbacks;
       REQUIRE(notes.size() == 2);
       CHECK_THAT(notes[1], Catch::StartsWith("pins: factoring the matrix needs ") &&
                                Catch::Contains(memory > 10 ? "single precision" : "multigrid"));
-      CHECK(limited.value.report.valid == usual.value.report.valid);
+      CHECK(limited.value().report.valid == usual.value().report.valid);
     }
   }
 }
@@ -175,8 +175,8 @@ TEST_CASE("pins that make no sense are named", "[pin]") {
   mesh.positions.insert(mesh.positions.end(), {0, 0, 0});
   const auto message = [&](const std::vector<Pin>& pins) {
     const Result<FlattenResult> r = flattened(mesh, pins);
-    CHECK(r.status.code == StatusCode::InvalidOption);
-    return r.status.message;
+    CHECK(r.status().code == StatusCode::InvalidOption);
+    return r.status().message;
   };
   using Catch::Contains;
   CHECK_THAT(message({{3, {0, 0}}}), Contains("vertex 3 is the only pinned vertex"));

@@ -15,9 +15,9 @@ namespace {
 
 Comparison compared(const PolygonMesh& mesh) {
   Result<Comparison> r = compare(mesh, {});
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  return std::move(r.value);
+  return std::move(r.value());
 }
 
 std::vector<double> measuresOf(const MethodResult& m) {
@@ -84,9 +84,9 @@ TEST_CASE("the abflat rows are those of flatten") {
     options.t = t[i];
     const Result<FlattenResult> flat = flatten(mesh, options);
     REQUIRE(flat.ok());
-    const ChartReport& r = flat.value.report.charts.front();
+    const ChartReport& r = flat.value().report.charts.front();
     const MethodResult& m = c.methods[i];
-    CHECK(m.uv == flat.value.uv);
+    CHECK(m.uv == flat.value().uv);
     CHECK(m.angularDistortion == r.angularDistortion);
     CHECK(m.lengthDistortion == r.lengthDistortion);
     CHECK(m.areaRatioMax == r.areaDistortionMax);
@@ -144,9 +144,9 @@ TEST_CASE("a flat mesh keeps its areas where angles are kept, but not on a circl
 }
 
 TEST_CASE("a comparison is refused or cancelled as flattening is") {
-  CHECK(compare(tetrahedron(), {}).status.code == StatusCode::ClosedSurface);
-  CHECK(compare(torus(5, 4), {}).status.code == StatusCode::ClosedSurface);
-  CHECK(compare({}, {}).status.code == StatusCode::EmptyMesh);
+  CHECK(compare(tetrahedron(), {}).status().code == StatusCode::ClosedSurface);
+  CHECK(compare(torus(5, 4), {}).status().code == StatusCode::ClosedSurface);
+  CHECK(compare({}, {}).status().code == StatusCode::EmptyMesh);
   const PolygonMesh mesh = bumpyGrid(4, 4, 0.3, 4);
   std::vector<MethodKey> stages;
   double last = 0;
@@ -161,11 +161,12 @@ TEST_CASE("a comparison is refused or cancelled as flattening is") {
   };
   const Result<Comparison> whole = compare(mesh, options);
   REQUIRE(whole.ok());
-  REQUIRE(stages.size() == whole.value.methods.size());
-  for (std::size_t i = 0; i < stages.size(); ++i) CHECK(stages[i] == whole.value.methods[i].method);
+  REQUIRE(stages.size() == whole.value().methods.size());
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    CHECK(stages[i] == whole.value().methods[i].method);
   for (const MethodKey stop : stages) {
     options.progress = [&](const Progress& p) { return p.method != stop; };
-    CHECK(compare(mesh, options).status.code == StatusCode::Aborted);
+    CHECK(compare(mesh, options).status().code == StatusCode::Aborted);
   }
 }
 

@@ -21,7 +21,7 @@ Keys keysOf(const Json& object) {
   return out;
 }
 
-Report reportOf(const PolygonMesh& mesh) { return flatten(mesh, FlattenOptions{}).value.report; }
+Report reportOf(const PolygonMesh& mesh) { return flatten(mesh, FlattenOptions{}).value().report; }
 
 Json parsed(const Report& report) { return Json::parse(reportJson(report)); }
 
@@ -145,7 +145,7 @@ TEST_CASE("inspectJson says what a mesh is and why it is not a disk") {
 }
 
 TEST_CASE("the report of an atlas is written like any other JSON, chart by chart", "[unwrap]") {
-  UnwrapReport report = unwrap(bumpyGrid(6, 6, 0.3, 1), UnwrapOptions{}).value.report;
+  UnwrapReport report = unwrap(bumpyGrid(6, 6, 0.3, 1), UnwrapOptions{}).value().report;
   report.path = "a\n  \"charts\": [].obj";
   const UnwrapChart chart = report.charts.front();
   for (const std::size_t count : {0, 1, 3}) {

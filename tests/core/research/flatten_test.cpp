@@ -21,12 +21,12 @@ TEST_CASE("every iterative solver and formulation gives the same layout and is r
       options.formulation = formulation;
       const Result<FlattenResult> r = flatten(mesh, options);
       REQUIRE(r.ok());
-      const ChartReport& chart = r.value.report.charts.front();
+      const ChartReport& chart = r.value().report.charts.front();
       CHECK(chart.valid);
       CHECK(chart.linearSolver == solver);
       CHECK(chart.formulation == formulation);
       CHECK(chart.history.front().linearIterations > 0);
-      for (std::size_t i = 0; i < wanted.value.uv.size(); ++i)
-        CHECK(std::abs(r.value.uv[i] - wanted.value.uv[i]) < 1e-6);
+      for (std::size_t i = 0; i < wanted.value().uv.size(); ++i)
+        CHECK(std::abs(r.value().uv[i] - wanted.value().uv[i]) < 1e-6);
     }
 }

@@ -22,9 +22,9 @@ ChartReport flattened(const PolygonMesh& mesh, double t) {
   FlattenOptions options;
   options.t = t;
   const Result<FlattenResult> r = flatten(mesh, options);
-  INFO(r.status.message);
+  INFO(r.status().message);
   REQUIRE(r.ok());
-  return r.value.report.charts.front();
+  return r.value().report.charts.front();
 }
 
 /// Ratio of the longest edge to the height above it.

@@ -195,8 +195,8 @@ TEST_CASE("seams of a box follow its edges", "[fair]") {
     options.minUtilization = 0;
     const Result<UnwrapResult> result = unwrap(box, options);
     REQUIRE(result.ok());
-    CHECK(!result.value.seams.empty());
-    for (const EdgeVertices& seam : result.value.seams)
+    CHECK(!result.value().seams.empty());
+    for (const EdgeVertices& seam : result.value().seams)
       for (const std::uint32_t v : seam) {
         int sides = 0;
         for (std::size_t d = 0; d < 3; ++d) {

@@ -55,8 +55,8 @@ Flattened flattened(const Cuttable& c, const Seams& seams) {
     REQUIRE(flat.ok());
     const double own = areaOf(chart);
     area += own;
-    out.stretch += own * flat.value.report.charts[0].symmetricDirichlet;
-    out.invalid += !flat.value.report.valid;
+    out.stretch += own * flat.value().report.charts[0].symmetricDirichlet;
+    out.invalid += !flat.value().report.valid;
   }
   out.stretch /= area;
   return out;
@@ -195,7 +195,7 @@ TEST_CASE("seams of real meshes meet the yardsticks", "[seams][quality]") {
     const Result<UnwrapResult> r = unwrap(mesh, options);
     INFO(y.file);
     REQUIRE(r.ok());
-    const UnwrapReport& report = r.value.report;
+    const UnwrapReport& report = r.value().report;
     CHECK(report.valid);
     CHECK(static_cast<double>(report.charts.size()) <= 0.3 * y.charts);
     CHECK(report.seams.relativeLength <= 0.56 * y.length);

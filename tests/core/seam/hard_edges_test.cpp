@@ -128,7 +128,7 @@ TEST_CASE("a mesh without normals and groups has unknown hard edges", "[hard]") 
   CHECK(hardEdges(mesh.map()).empty());
   UnwrapOptions options;
   options.seams.followsHardEdges = true;
-  const Status status = unwrap(mesh.input, options).status;
+  const Status status = unwrap(mesh.input, options).status();
   CHECK(status.code == StatusCode::InvalidOption);
   CHECK(status.message.find("sharp=30") != std::string::npos);
 }

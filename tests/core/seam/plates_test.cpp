@@ -85,12 +85,12 @@ TEST_CASE("front and back of a grille are a chart each", "[unwrap]") {
   const unsigned n = 8;
   const Result<UnwrapResult> r = unwrap(grille(n, 0.5), {});
   REQUIRE(r.ok());
-  CHECK(r.value.report.valid);
+  CHECK(r.value().report.valid);
   // Beside them the walls of each hole, and the outer ones in one or two parts.
-  CHECK(r.value.report.charts.size() <= n * n + 4);
+  CHECK(r.value().report.charts.size() <= n * n + 4);
   const std::size_t front = (2 * n + 1) * (2 * n + 1) - n * n;
   std::size_t whole = 0;
-  for (const UnwrapChart& chart : r.value.report.charts) whole += chart.faces == 2 * front;
+  for (const UnwrapChart& chart : r.value().report.charts) whole += chart.faces == 2 * front;
   CHECK(whole == 2);
 }
 

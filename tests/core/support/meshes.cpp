@@ -169,9 +169,10 @@ PolygonMesh sharedMesh(const std::string& file) {
   }
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const Result<MeshFormat> format = detectFormat(path, bytes);
-  Result<PolygonMesh> mesh = readMesh(bytes, format.value, path);
-  if (!mesh.ok()) throw std::runtime_error(mesh.status.message);
-  return mesh.value;
+  const Result<PolygonMesh> mesh =
+      format.ok() ? readMesh(bytes, format.value(), path) : format.status();
+  if (!mesh.ok()) throw std::runtime_error(mesh.status().message);
+  return mesh.value();
 }
 
 }  // namespace abflat::test

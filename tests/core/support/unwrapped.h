@@ -18,10 +18,10 @@ inline UnwrapOptions severalCharts() {
 /// Unwraps and checks that the atlas is valid.
 inline UnwrapResult unwrapped(const PolygonMesh& mesh, const UnwrapOptions& options) {
   Result<UnwrapResult> result = unwrap(mesh, options);
-  INFO(result.status.message);
+  INFO(result.status().message);
   REQUIRE(result.ok());
-  CHECK(result.value.report.valid);
-  return std::move(result.value);
+  CHECK(result.value().report.valid);
+  return std::move(result.value());
 }
 
 }  // namespace abflat::test

@@ -91,11 +91,11 @@ TEST_CASE("a texel density is one of the mesh's unit, however large that is", "[
   CHECK(mentions(tiny.report, "enlarged"));
   // Far too high: rejected, with a density that does fit.
   const Result<UnwrapResult> huge = unwrap(inUnit(mesh, 700), options);
-  REQUIRE(huge.status.code == StatusCode::AtlasTooSmall);
+  REQUIRE(huge.status().code == StatusCode::AtlasTooSmall);
   const std::string words = "Lower the density to ";
-  const std::size_t at = huge.status.message.find(words);
+  const std::size_t at = huge.status().message.find(words);
   REQUIRE(at != std::string::npos);
-  options.texelDensity = std::stod(huge.status.message.substr(at + words.size()));
+  options.texelDensity = std::stod(huge.status().message.substr(at + words.size()));
   unwrapped(inUnit(mesh, 700), options);
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("densities that make no sense are refused", "[density]") {
   const auto said = [&](std::vector<double> densities) {
     UnwrapOptions options = severalCharts();
     options.faceDensities = std::move(densities);
-    const Status status = unwrap(mesh, options).status;
+    const Status status = unwrap(mesh, options).status();
     CHECK(status.code == StatusCode::InvalidOption);
     return status.message;
   };

@@ -106,7 +106,7 @@ TEST_CASE("charts that cannot stay are named", "[fixed]") {
   const UnwrapResult first = unwrapped(mesh, severalCharts());
   UnwrapOptions options = severalCharts();
   const auto messageOf = [&] {
-    const Status s = unwrap(mesh, options).status;
+    const Status s = unwrap(mesh, options).status();
     CHECK(s.code == StatusCode::InvalidOption);
     return s.message;
   };

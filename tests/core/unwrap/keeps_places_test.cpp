@@ -127,7 +127,7 @@ TEST_CASE("charts that stay may leave the square, and the report says which", "[
   moveChart(1, options.reuse.known, [](double* uv) { uv[0] += 1; });
   const Result<UnwrapResult> second = unwrap(mesh, options);
   REQUIRE(second.ok());
-  const UnwrapResult& result = second.value;
+  const UnwrapResult& result = second.value();
   CHECK_FALSE(result.report.valid);
   for (std::size_t h = 0; h < result.triangles.size(); ++h) {
     const bool isMoved = first.chartOfTriangle[h / 3] == 1;
@@ -154,9 +154,9 @@ TEST_CASE("charts that stay may overlap, and the report says which", "[fixed]") 
   });
   const Result<UnwrapResult> second = unwrap(mesh, options);
   REQUIRE(second.ok());
-  CHECK_FALSE(second.value.report.valid);
+  CHECK_FALSE(second.value().report.valid);
   std::size_t faulty = 0;
-  for (const UnwrapChart& chart : second.value.report.charts) faulty += !chart.valid;
+  for (const UnwrapChart& chart : second.value().report.charts) faulty += !chart.valid;
   CHECK(faulty >= 1);
   CHECK(faulty <= 2);
 }
@@ -168,9 +168,9 @@ TEST_CASE("a mirrored chart stays, and the report says what is wrong", "[fixed]"
   moveChart(1, options.reuse.known, [](double* uv) { uv[0] = 1 - uv[0]; });
   const Result<UnwrapResult> second = unwrap(mesh, options);
   REQUIRE(second.ok());
-  CHECK_FALSE(second.value.report.valid);
+  CHECK_FALSE(second.value().report.valid);
   std::size_t mirrored = 0;
-  for (const UnwrapChart& chart : second.value.report.charts)
+  for (const UnwrapChart& chart : second.value().report.charts)
     mirrored +=
         chart.problem == "where it stays, triangles are flipped or its boundary crosses itself";
   CHECK(mirrored == 1);
@@ -188,7 +188,7 @@ TEST_CASE("a chart whose shape was changed stays, even if it is folded now", "[f
     std::copy_n(&(*uv)[2 * onto], 2, &(*uv)[2 * dragged]);
   const Result<UnwrapResult> run = unwrap(mesh, options);
   REQUIRE(run.ok());
-  const UnwrapResult& second = run.value;
+  const UnwrapResult& second = run.value();
   CHECK_FALSE(second.report.valid);
   for (std::size_t h = 0; h < second.triangles.size(); ++h) {
     const auto& now = second.report.charts[second.chartOfTriangle[h / 3]];
@@ -207,7 +207,7 @@ TEST_CASE("a known layout without usable uv cannot keep places", "[fixed]") {
   const UnwrapResult first = unwrapped(mesh, severalCharts());
   UnwrapOptions options = again(first);
   const auto messageOf = [&] {
-    const Status s = unwrap(mesh, options).status;
+    const Status s = unwrap(mesh, options).status();
     CHECK(s.code == StatusCode::InvalidOption);
     return s.message;
   };

@@ -165,9 +165,9 @@ TEST_CASE("straight seams after other automatic ones are those that solving give
       const Result<UnwrapResult> solved = unwrap(mesh, options), fast = unwrap(mesh, quick);
       REQUIRE(solved.ok());
       REQUIRE(fast.ok());
-      checkSameLayout(solved.value, fast.value);
-      taken += known(fast.value);
-      quick.reuse.known = knownLayout(fast.value);
+      checkSameLayout(solved.value(), fast.value());
+      taken += known(fast.value());
+      quick.reuse.known = knownLayout(fast.value());
     }
   }
   CHECK(taken > 0);
@@ -225,7 +225,7 @@ TEST_CASE("what is known of another mesh is refused", "[known]") {
   const PolygonMesh mesh = torus(12, 8);
   const auto refused = [&](const KnownLayout& layout) {
     options.reuse.known = layout;
-    const Status s = unwrap(mesh, options).status;
+    const Status s = unwrap(mesh, options).status();
     return s.code == StatusCode::InvalidOption &&
            s.message.find("the known layout belongs to another mesh") == 0;
   };

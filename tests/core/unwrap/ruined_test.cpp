@@ -64,8 +64,8 @@ TEST_CASE("slivers do not ruin charts, however thin they are", "[unwrap]") {
       const Result<UnwrapResult> r = unwrap(domeWithSlivers(n, 4, hair), options);
       CAPTURE(hair, n);
       REQUIRE(r.ok());
-      CHECK(r.value.report.valid);
-      for (const UnwrapChart& chart : r.value.report.charts)
+      CHECK(r.value().report.valid);
+      for (const UnwrapChart& chart : r.value().report.charts)
         CHECK(chart.symmetricDirichlet <= 1 + 10 * (options.maxStretch - 1));
     }
 }
@@ -75,9 +75,9 @@ TEST_CASE("a chart that is stretched too much is named by a face", "[unwrap]") {
   options.t = 1;
   const Result<UnwrapResult> r = unwrap(uvSphere(16, 8), options);
   REQUIRE(r.ok());
-  const auto& notes = r.value.report.notes;
+  const auto& notes = r.value().report.notes;
   const bool isStretched =
-      std::any_of(r.value.report.charts.begin(), r.value.report.charts.end(),
+      std::any_of(r.value().report.charts.begin(), r.value().report.charts.end(),
                   [&](const UnwrapChart& c) { return c.symmetricDirichlet > options.maxStretch; });
   REQUIRE(isStretched);
   CHECK(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {

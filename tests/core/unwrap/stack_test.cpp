@@ -210,7 +210,7 @@ TEST_CASE("a stacked layout can be kept in place, mirrored charts too", "[stack]
   CHECK(kept.report.atlas.utilization == Approx(first.report.atlas.utilization));
   // The same places overlap if nothing may be stacked.
   options.stack = Stack::None;
-  CHECK_FALSE(unwrap(mesh, options).value.report.valid);
+  CHECK_FALSE(unwrap(mesh, options).value().report.valid);
   // All charts may be locked.
   options.stack = Stack::Mirrored;
   for (std::uint32_t c = 0; c < first.report.charts.size(); ++c)

@@ -129,9 +129,9 @@ TEST_CASE("the axis that points up can be named; STL files have z") {
   const char* text =
       "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
       "vertex 0 1 0\nendloop\nendfacet\nendsolid\n";
-  CHECK(readMesh(text, MeshFormat::Stl, "a.stl").value.isZUp);
+  CHECK(readMesh(text, MeshFormat::Stl, "a.stl").value().isZUp);
   CHECK_FALSE(
-      readMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::Obj, "a.obj").value.isZUp);
+      readMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::Obj, "a.obj").value().isZUp);
 }
 
 TEST_CASE("a wall with a window stands upright where that costs no texels") {

@@ -94,14 +94,14 @@ void expectValidGltf(const PolygonMesh& mesh, const UnwrapResult& result) {
   const Result<std::string> bytes =
       makeGltf(mesh, result.uv, result.cornerUv, result.triangleCorners, {}, {});
   if (!bytes.ok()) {
-    expect(!fitsSingle(mesh), "an atlas can be written as a glTF: " + bytes.status.message);
+    expect(!fitsSingle(mesh), "an atlas can be written as a glTF: " + bytes.status().message);
     return;
   }
-  const Result<GltfModel> again = abflat::readGltf(bytes.value, "written", [](const std::string&) {
+  const Result<GltfModel> again = abflat::readGltf(bytes.value(), "written", [](const std::string&) {
     return Result<std::string>(Status{StatusCode::UnreadableFile, "there is no such file"});
   });
-  expect(again.ok(), "what is written can be read: " + again.status.message);
-  const PolygonMesh& read = again.value.mesh;
+  expect(again.ok(), "what is written can be read: " + again.status().message);
+  const PolygonMesh& read = again.value().mesh;
   AtlasTriangles triangles;
   for (std::size_t f = 0; f < read.faceCount(); ++f) {
     std::array<std::uint32_t, 3> vertices{};
@@ -121,8 +121,8 @@ void expectFile(const PolygonMesh& mesh, const UnwrapResult& result, MeshFormat 
   const std::string bytes = format == MeshFormat::Obj ? writeObj(mesh, result.uv, result.cornerUv)
                                                       : writePly(mesh, result.uv, result.cornerUv);
   const Result<PolygonMesh> again = readMesh(bytes, format, "written");
-  expect(again.ok(), "what is written can be read: " + again.status.message);
-  expectSame(mesh, {result.uv, result.cornerUv}, again.value);
+  expect(again.ok(), "what is written can be read: " + again.status().message);
+  expectSame(mesh, {result.uv, result.cornerUv}, again.value());
 }
 
 }  // namespace
@@ -131,22 +131,22 @@ bool unwrapMesh(const std::uint8_t* bytes, std::size_t size) {
   const auto [mesh, options, isPlain] = unwrapCase(bytes, size);
   const Result<UnwrapResult> result = unwrap(mesh, options);
   if (!result.ok()) {
-    expectReason(result.status, {StatusCode::EmptyMesh, StatusCode::AtlasTooSmall,
+    expectReason(result.status(), {StatusCode::EmptyMesh, StatusCode::AtlasTooSmall,
                                  StatusCode::InvalidOption, StatusCode::InvalidMesh});
     return false;
   }
-  const UnwrapReport& report = result.value.report;
+  const UnwrapReport& report = result.value().report;
   unwrapReportJson(report);
   if (isPlain && isOrdinary(mesh))
     expect(report.valid, "with the usual options the atlas is valid");
   if (!report.valid) return true;
   const std::string wrong =
-      stackedComplaint(trianglesOf(mesh, result.value), result.value.chartOfTriangle, report);
+      stackedComplaint(trianglesOf(mesh, result.value()), result.value().chartOfTriangle, report);
   expect(wrong.empty(), "a valid atlas: " + wrong);
   if (options.precision == Precision::Gltf)
-    expectValidGltf(mesh, result.value);
+    expectValidGltf(mesh, result.value());
   else
-    expectFile(mesh, result.value, options.precision == Precision::Single ? MeshFormat::Ply : MeshFormat::Obj);
+    expectFile(mesh, result.value(), options.precision == Precision::Single ? MeshFormat::Ply : MeshFormat::Obj);
   return true;
 }
 
@@ -154,21 +154,21 @@ bool flattenMesh(const std::uint8_t* bytes, std::size_t size) {
   const auto [mesh, options, precision] = flattenCase(bytes, size);
   Result<FlattenResult> result = flatten(mesh, options);
   if (!result.ok()) {
-    expect(!result.status.message.empty(), "a refusal has a reason");
-    expect(result.status.code != StatusCode::Internal, result.status.message);
+    expect(!result.status().message.empty(), "a refusal has a reason");
+    expect(result.status().code != StatusCode::Internal, result.status().message);
     return false;
   }
-  if (precision == Precision::Single) roundToSinglePrecision(mesh, result.value);
-  if (precision == Precision::Gltf) roundForGltf(mesh, result.value);
-  reportJson(result.value.report);
-  if (!result.value.report.valid) return true;
+  if (precision == Precision::Single) roundToSinglePrecision(mesh, result.value());
+  if (precision == Precision::Gltf) roundForGltf(mesh, result.value());
+  reportJson(result.value().report);
+  if (!result.value().report.valid) return true;
   AtlasTriangles triangles;
-  const std::vector<std::uint32_t>& corners = result.value.triangles;
+  const std::vector<std::uint32_t>& corners = result.value().triangles;
   for (std::size_t i = 0; i < corners.size(); i += 3) {
     const std::array<std::uint32_t, 3> vertices{corners[i], corners[i + 1], corners[i + 2]};
     for (const std::uint32_t v : vertices)
-      triangles.uv.insert(triangles.uv.end(), {result.value.uv[2 * std::size_t{v}],
-                                               result.value.uv[2 * std::size_t{v} + 1]});
+      triangles.uv.insert(triangles.uv.end(), {result.value().uv[2 * std::size_t{v}],
+                                               result.value().uv[2 * std::size_t{v} + 1]});
     triangles.mayBeFlat.push_back(isFlatOnSurface(mesh, vertices));
   }
   const std::string wrong = overlapComplaint(triangles);

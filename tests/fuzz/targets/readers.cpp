@@ -33,12 +33,12 @@ void expectMesh(const PolygonMesh& mesh) {
 bool readFile(std::string_view bytes, MeshFormat format) {
   const Result<PolygonMesh> mesh = readMesh(bytes, format, "made-up");
   if (!mesh.ok()) {
-    expectReason(mesh.status);
+    expectReason(mesh.status());
     return false;
   }
-  expectMesh(mesh.value);
+  expectMesh(mesh.value());
   if (format == MeshFormat::Obj || format == MeshFormat::Ply)
-    expectRoundTrip(mesh.value, format, bytes);
+    expectRoundTrip(mesh.value(), format, bytes);
   return true;
 }
 
@@ -69,12 +69,12 @@ bool readGltf(const std::uint8_t* bytes, std::size_t size) {
   const std::string buffer(64, '\1');
   const Result<GltfModel> model = abflat::readGltf(text(bytes, size), "made-up", always(buffer));
   if (!model.ok()) {
-    expectReason(model.status);
+    expectReason(model.status());
     return false;
   }
-  expectMesh(model.value.mesh);
-  expectRoundTrip(model.value);
-  PolygonMesh joined = model.value.mesh;
+  expectMesh(model.value().mesh);
+  expectRoundTrip(model.value());
+  PolygonMesh joined = model.value().mesh;
   joinVertices(joined);
   expectMesh(joined);
   return true;
@@ -88,8 +88,8 @@ bool readMaterials(const std::uint8_t* bytes, std::size_t size) {
   const std::string_view other = end == all.npos ? all : all.substr(end + 1);
   const Result<PolygonMesh> mesh = readMesh(obj, MeshFormat::Obj, "made-up");
   if (!mesh.ok()) return false;
-  const Appearance look = readAppearance(obj, MeshFormat::Obj, mesh.value, always(other));
-  expectMadeGltf(mesh.value, look);
+  const Appearance look = readAppearance(obj, MeshFormat::Obj, mesh.value(), always(other));
+  expectMadeGltf(mesh.value(), look);
   return true;
 }
 

@@ -126,8 +126,8 @@ TEST_CASE("the report says what a factor needs and what it may take") {
   options.memory = 1;
   const Result<FlattenResult> limited = flatten(mesh, options);
   REQUIRE(limited.ok());
-  CHECK(limited.value.report.valid);
-  const std::vector<std::string>& notes = limited.value.report.charts[0].fallbacks;
+  CHECK(limited.value().report.valid);
+  const std::vector<std::string>& notes = limited.value().report.charts[0].fallbacks;
   REQUIRE(notes.size() == 1);
   CHECK_THAT(notes[0], Catch::Contains("needs ") && Catch::Contains("only 1 MB are allowed") &&
                            Catch::Contains("multigrid"));
@@ -135,14 +135,14 @@ TEST_CASE("the report says what a factor needs and what it may take") {
     options.delaunay = true;
     const Result<FlattenResult> delaunay = flatten(mesh, options);
     REQUIRE(delaunay.ok());
-    CHECK(delaunay.value.uv == limited.value.uv);
-    CHECK_THAT(delaunay.value.report.charts[0].fallbacks.back(),
+    CHECK(delaunay.value().uv == limited.value().uv);
+    CHECK_THAT(delaunay.value().report.charts[0].fallbacks.back(),
                Catch::StartsWith("the layout is not Delaunay: factoring"));
   }
   SECTION("enough memory") {
     options.memory = 1000;
     const Result<FlattenResult> usual = flatten(mesh, options);
     REQUIRE(usual.ok());
-    CHECK(usual.value.report.charts[0].fallbacks.empty());
+    CHECK(usual.value().report.charts[0].fallbacks.empty());
   }
 }
