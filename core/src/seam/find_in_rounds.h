@@ -13,7 +13,7 @@ struct JoinedSeams {
   Seams seams;                         ///< marked on both sides
   Seams given;                         ///< those that must stay
   LogScales scale;                     ///< expected
-  std::unique_ptr<LogScale> solver;    ///< of the whole mesh; null if the search was stopped
+  std::unique_ptr<LogScale> solver;    ///< of the mesh; null once it is not needed
   EliminationRanks ranks;              ///< of the mesh
   std::vector<SurfaceCorner> doubled;  ///< see doubledEdges
   SeamSteps steps;
