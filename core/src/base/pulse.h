@@ -20,6 +20,10 @@ class Pulse {
     done_ += steps;
     if (done_ < kSteps) return !isStopped_;
     done_ = 0;
+    return ask();
+  }
+  /// Asks at once whether to continue.
+  bool ask() const {
     isStopped_ = isStopped_ || (goesOn_ && !goesOn_());
     return !isStopped_;
   }

@@ -1,31 +1,32 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "seam/find_seams.h"
+#include "seam/log_scale.h"
 
 namespace abflat {
 
-/// A search for the seams of a mesh that can be given up half way. It cuts in rounds. A chart that
-/// a round leaves unchanged is done; the rounds continue with only the others as soon as they make
-/// up much less than the whole.
-class SeamSearch {
- public:
-  /// `given` seams are marked on both sides. What is passed by reference has to outlive the search.
-  SeamSearch(const SeamMesh& mesh, Seams given, const SeamOptions& options, SeamReport& report);
-  ~SeamSearch();
-
-  /// Cuts until no chart needs it, then joins charts.
-  void join();
-  const Seams& joined() const;     ///< the seams so far
-  const LogScales& scale() const;  ///< expected so far
-  /// Redraws seams and shortens them. They are marked on both sides.
-  Seams finish();
-
- private:
-  class Finder;
-  std::unique_ptr<Finder> finder_;
+/// A search for the seams of a mesh half way: no chart needs to be cut, and charts are joined.
+struct JoinedSeams {
+  Seams seams;                         ///< marked on both sides
+  Seams given;                         ///< those that must stay
+  LogScales scale;                     ///< expected
+  std::unique_ptr<LogScale> solver;    ///< of the mesh; null once it is not needed
+  EliminationRanks ranks;              ///< of the mesh
+  std::vector<SurfaceCorner> doubled;  ///< see doubledEdges
+  SeamSteps steps;
 };
+
+/// Cuts until no chart needs it, then joins charts. `given` seams are marked on both sides. The
+/// mesh has to outlive the result.
+JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& options,
+                       const Pulse& pulse);
+
+/// Redraws seams and shortens them. They are marked on both sides.
+Seams finishJoined(const SeamMesh& mesh, JoinedSeams joined, const SeamOptions& options,
+                   const Pulse& pulse, SeamReport& report);
 
 /// Both steps of a search.
 Seams findInRounds(const SeamMesh& mesh, Seams given, const SeamOptions& options,

@@ -52,19 +52,24 @@ struct KnownSeams {
   LogScales scale, foundScale;
 };
 
-struct SeamReport {
-  std::uint32_t charts = 0;
-  double seamLength = 0;  ///< in 3D, over sqrt(surface area)
+/// What a search did, and how long its steps took.
+struct SeamSteps {
+  int rounds = 0;
   std::uint32_t slits = 0, splits = 0, merges = 0;
   std::uint32_t handleLoops = 0;
   double handleLength = 0;  ///< of the seams required by the topology, over sqrt(surface area)
-  double stretch = 1;       ///< predicted, area-weighted mean
-  int rounds = 0;
+  double analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
+};
+
+struct SeamReport : SeamSteps {
+  std::uint32_t charts = 0;
+  double seamLength = 0;              ///< in 3D, over sqrt(surface area)
+  double stretch = 1;                 ///< predicted, area-weighted mean
   EliminationRanks eliminationRanks;  ///< of the mesh
   Seams found;                        ///< the seams before they were shortened
   LogScales foundScale;               ///< `scale` before shortening
   LogScales scale;                    ///< expected log-scale
-  double seconds = 0, analysisSeconds = 0, solveSeconds = 0, mergeSeconds = 0;
+  double seconds = 0;                 ///< all of it
   bool cancelled = false;
   Mirror mirror;         ///< what symmetric seams are symmetric to
   KnownSeams otherwise;  ///< the seams that symmetric ones were preferred to

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,22 +29,16 @@ struct FoundSymmetric {
   double price = 0;
 };
 
-/// A search and what it refers to, so that it must not move.
-struct SymmetricSearch {
-  SymmetricSearch(const SeamMesh& mesh, const SeamOptions& own)
-      : options(own), search(mesh, Seams(mesh.twin.size(), 0), options, report) {
-    search.join();
-  }
-
-  const SeamOptions options;
-  SeamReport report;
-  SeamSearch search;
-};
+SeamOptions withMirror(SeamOptions options, Mirror mirror) {
+  options.mirror = std::move(mirror);
+  return options;
+}
 
 class SymmetricFinder {
  public:
-  SymmetricFinder(const SeamMesh& mesh, const SeamOptions& options, Mirror mirror)
-      : mesh_(mesh), options_(options), mirror_(std::move(mirror)), dear_(mesh) {
+  SymmetricFinder(const SeamMesh& mesh, const SeamOptions& options, Mirror mirror,
+                  const Pulse& pulse)
+      : mesh_(mesh), options_(withMirror(options, std::move(mirror))), pulse_(pulse), dear_(mesh) {
     // Two seams instead of one are bad only where they are seen.
     constexpr double kInSight = 0.85, kDearInSight = 2;
     for (const SurfaceCorner h : mesh.corners())
@@ -55,6 +48,7 @@ class SymmetricFinder {
 
   void run(Seams& seams, SeamReport& report) {
     std::optional<FoundSymmetric> found = isForced() ? findAny(report) : findCheap(seams, report);
+    report.cancelled = pulse_.isStopped();
     if (report.cancelled) return;
     if (!found) report.asymmetry = Asymmetry::NoSeams;
     if (!found || !(isForced() || isPreferable(*found, seams, report))) return;
@@ -65,34 +59,37 @@ class SymmetricFinder {
     found->report.eliminationRanks = std::move(report.eliminationRanks);
     if (!isForced()) found->report.otherwise = std::move(otherwise);
     report = std::move(found->report);
-    report.mirror = std::move(mirror_);
+    report.mirror = options_.mirror;
   }
 
  private:
   bool isForced() const { return options_.symmetricSeams == SymmetricSeams::Always; }
 
   /// The best of all searches.
-  std::optional<FoundSymmetric> findAny(SeamReport& report) const {
+  std::optional<FoundSymmetric> findAny(const SeamReport& report) const {
     std::optional<FoundSymmetric> best;
-    for (const double broadest : {kNarrowChart, kBroadChart})
-      for (const Seams& first : beginningsFrom(report.found, broadest))
-        if (const std::unique_ptr<SymmetricSearch> search = joinedFrom(first, report))
-          finish(*search, best, report);
+    for (const double broadest : {kNarrowChart, kBroadChart}) {
+      for (const Seams& first : beginningsFrom(report.found, broadest)) {
+        JoinedSeams joined = joinedFrom(first, report);
+        if (pulse_.isStopped()) return {};
+        takeBetter(std::move(joined), best);
+      }
+    }
     return best;
   }
 
   /// Finishes only those that are cheapest once charts are joined, and none if even these cost so
   /// much more than `seams` that finishing will not make up for it.
-  std::optional<FoundSymmetric> findCheap(const Seams& seams, SeamReport& report) const {
+  std::optional<FoundSymmetric> findCheap(const Seams& seams, const SeamReport& report) const {
     constexpr std::size_t kFinished = 2;
     constexpr double kHopeless = 1.26;
     const double most = kHopeless * priceOf(dear_, seams, report.scale);
-    std::vector<std::pair<double, std::unique_ptr<SymmetricSearch>>> open;  // cheapest first
+    std::vector<std::pair<double, JoinedSeams>> open;  // cheapest first
     for (const double broadest : {kNarrowChart, kBroadChart}) {
       for (const Seams& first : beginningsFrom(report.found, broadest)) {
-        std::unique_ptr<SymmetricSearch> now = joinedFrom(first, report);
-        if (!now) return {};
-        const double price = priceOf(dear_, now->search.joined(), now->search.scale());
+        JoinedSeams now = joinedFrom(first, report);
+        if (pulse_.isStopped()) return {};
+        const double price = priceOf(dear_, now.seams, now.scale);
         const auto dearer = std::find_if(open.begin(), open.end(),
                                          [&](const auto& other) { return price < other.first; });
         open.emplace(dearer, price, std::move(now));
@@ -101,19 +98,15 @@ class SymmetricFinder {
       open.resize(std::min(open.size(), kFinished));
     }
     std::optional<FoundSymmetric> best;
-    for (const auto& [price, search] : open) finish(*search, best, report);
+    for (auto& [price, joined] : open) takeBetter(std::move(joined), best);
     return best;
   }
 
-  /// A search whose charts are joined; null if cancelled.
-  std::unique_ptr<SymmetricSearch> joinedFrom(const Seams& first, SeamReport& report) const {
+  JoinedSeams joinedFrom(const Seams& first, const SeamReport& report) const {
     SeamOptions options = options_;
     options.eliminationRanks = report.eliminationRanks;
-    options.mirror = mirror_;
     options.first = first;
-    auto out = std::make_unique<SymmetricSearch>(dear_, options);
-    report.cancelled = report.cancelled || out->report.cancelled;
-    return report.cancelled ? nullptr : std::move(out);
+    return findJoined(dear_, Seams(dear_.twin.size(), 0), options, pulse_);
   }
 
   /// The seams of either side with their images; charts of their own image that are narrower than
@@ -121,22 +114,20 @@ class SymmetricFinder {
   std::vector<Seams> beginningsFrom(const Seams& found, double broadest) const {
     std::vector<Seams> out;
     for (const int from : {1, -1}) {
-      Seams seams = mirrored(mesh_, mirror_, found, from);
-      cutAlongPlane(mesh_, mirror_, broadest, seams);
-      seams = mirrored(mesh_, mirror_, seams, 1);
+      Seams seams = mirrored(mesh_, options_.mirror, found, from);
+      cutAlongPlane(mesh_, options_.mirror, broadest, seams);
+      seams = mirrored(mesh_, options_.mirror, seams, 1);
       if (out.empty() || seams != out.back()) out.push_back(std::move(seams));
     }
     return out;
   }
 
-  void finish(SymmetricSearch& found, std::optional<FoundSymmetric>& best,
-              SeamReport& report) const {
+  /// Finishes a search, and takes what it finds if that is symmetric and cheaper than `best`.
+  void takeBetter(JoinedSeams joined, std::optional<FoundSymmetric>& best) const {
     FoundSymmetric now;
-    now.seams = found.search.finish();
-    now.report = found.report;
-    report.cancelled = report.cancelled || now.report.cancelled;
+    now.seams = finishJoined(dear_, std::move(joined), options_, pulse_, now.report);
     now.price = priceOf(mesh_, now.seams, now.report.scale);
-    if (mirroredShare(mesh_, mirror_, now.seams) < kSymmetric) return;
+    if (mirroredShare(mesh_, options_.mirror, now.seams) < kSymmetric) return;
     if (!best || now.price < best->price) best = std::move(now);
   }
 
@@ -167,8 +158,8 @@ class SymmetricFinder {
   }
 
   const SeamMesh& mesh_;
-  const SeamOptions& options_;
-  Mirror mirror_;
+  const SeamOptions options_;  ///< with the mirror
+  const Pulse& pulse_;
   SeamMesh dear_;  ///< where seams in sight cost more
 };
 
@@ -182,10 +173,11 @@ void preferSymmetric(const SeamMesh& mesh, const SeamOptions& options, Seams& se
   if (!isForced && report.stretch - 1 < kHardlyStretched) return;
   // A seam and its image may reach a hole from two sides, which opens it.
   if (!isForced && options.fillHoles == FillHoles::Always && !mesh.hole.empty()) return;
-  Mirror mirror = findMirror(mesh, Pulse(options.keepsOn));
+  const Pulse pulse(options.keepsOn);
+  Mirror mirror = findMirror(mesh, pulse);
   if (!mirror) report.asymmetry = Asymmetry::NoPlane;
   if (!mirror || mirroredShare(mesh, mirror, seams) > kSymmetric) return;
-  SymmetricFinder(mesh, options, std::move(mirror)).run(seams, report);
+  SymmetricFinder(mesh, options, std::move(mirror), pulse).run(seams, report);
 }
 
 }  // namespace abflat

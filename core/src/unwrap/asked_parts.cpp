@@ -5,6 +5,7 @@
 #include "seam/given_seams.h"
 #include "seam/hard_edges.h"
 #include "seam/scale_seams.h"
+#include "unwrap/seam_notes.h"
 
 namespace abflat {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "unwrap/seams.h"
+#include "unwrap/open_and_fill.h"
 
 namespace abflat {
 

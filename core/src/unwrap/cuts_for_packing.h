@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "abflat/unwrap.h"
+#include "unwrap/open_surface.h"
 #include "unwrap/packed_charts.h"
-#include "unwrap/seams.h"
 
 namespace abflat {
 

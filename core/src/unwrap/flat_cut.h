@@ -1,7 +1,7 @@
 #pragma once
 
 #include "unwrap/laid_charts.h"
-#include "unwrap/seams.h"
+#include "unwrap/open_surface.h"
 
 namespace abflat {
 

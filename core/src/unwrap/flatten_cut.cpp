@@ -4,7 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "unwrap/cut_stretched.h"
 #include "unwrap/cuts_for_packing.h"
+#include "unwrap/expect_scale.h"
+#include "unwrap/halve.h"
 #include "unwrap/known.h"
 #include "unwrap/layouts.h"
 #include "unwrap/output.h"

@@ -8,6 +8,7 @@
 #include "unwrap/cuts_for_packing.h"
 #include "unwrap/densities.h"
 #include "unwrap/layouts.h"
+#include "unwrap/measure_seams.h"
 #include "unwrap/packed_charts.h"
 #include "unwrap/pieces.h"
 #include "unwrap/pinned.h"

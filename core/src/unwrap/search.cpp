@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "seam/vary_costs.h"
+#include "unwrap/cut_open.h"
 #include "unwrap/known.h"
 #include "unwrap/layouts.h"
 #include "unwrap/pieces.h"

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "unwrap/flatten_cut.h"
+#include "unwrap/open_and_fill.h"
 
 namespace abflat {
 

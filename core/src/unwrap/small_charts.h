@@ -4,8 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "abflat/unwrap.h"
 #include "unwrap/laid_charts.h"
-#include "unwrap/seams.h"
+#include "unwrap/open_surface.h"
 
 namespace abflat {
 

@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "abflat/unwrap.h"
 #include "unwrap/cut_mesh.h"
 #include "unwrap/near_parts.h"
+#include "unwrap/open_surface.h"
 #include "unwrap/packed_charts.h"
-#include "unwrap/seams.h"
 
 namespace abflat {
 

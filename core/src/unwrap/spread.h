@@ -2,7 +2,7 @@
 
 #include "alike/find_alike.h"
 #include "unwrap/laid_charts.h"
-#include "unwrap/seams.h"
+#include "unwrap/open_surface.h"
 
 namespace abflat {
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "seam/scale_seams.h"
 #include "unwrap/alike_parts.h"
 #include "unwrap/kept.h"
 

@@ -8,6 +8,7 @@
 #include "seam/vary_costs.h"
 #include "support/copies.h"
 #include "support/meshes.h"
+#include "unwrap/cut_open.h"
 #include "unwrap/layouts.h"
 
 using namespace abflat;

@@ -1,0 +1,125 @@
+#include "unwrap/cut_open.h"
+
+#include <cmath>
+#include <utility>
+
+#include "seam/plates.h"
+#include "seam/seam_value.h"
+#include "seam/vary_costs.h"
+#include "unwrap/find_within.h"
+#include "unwrap/seam_options.h"
+
+namespace abflat {
+namespace {
+
+bool isAlone(const SeamMesh& mesh, SurfaceTriangle f) {
+  for (const SurfaceCorner h : cornersOf(f))
+    if (mesh.twin[h].exists()) return false;
+  return true;
+}
+
+bool areMostAlone(const SeamMesh& mesh) {
+  std::uint32_t alone = 0;
+  for (const SurfaceTriangle f : mesh.triangles()) alone += isAlone(mesh, f);
+  return alone > mesh.triangleCount() / 2;
+}
+
+/// Leaves out fixed islands, which must not be cut and may have holes; their borders are open. Also
+/// leaves out isolated triangles if there are many, since they need no search.
+void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const SeamOptions& options,
+                OpenSurface& open, SeamReport& found) {
+  if (isFixed.empty() && !areMostAlone(open.mesh)) {
+    open.seams = findSeams(open.mesh, std::move(open.seams), options, &found);
+    open.eliminationRanks = std::move(found.eliminationRanks);
+    open.scale = std::move(found.scale);
+    open.found = std::move(found.found);
+    open.foundScale = std::move(found.foundScale);
+    open.mirror = std::move(found.mirror);
+    open.otherwise = std::move(found.otherwise);
+    return;
+  }
+  const CutSurface islands = cutAlong(open.mesh, Seams(open.mesh.twin.size(), 0));
+  IdVector<CutChartId, std::uint8_t> isWanted;
+  for (const CutSurface::Chart& chart : islands.charts)
+    isWanted.push_back(chart.triangles > 1 && (isFixed.empty() || !isFixed[chart.firstTriangle]));
+  findWithin(islands, isWanted, options, open, found);
+}
+
+/// The ranks of a surface for the same mesh opened in another way, since a chart must be solved in
+/// the same order whenever it is found.
+EliminationRanks ranksOf(const OpenSurface& open, std::size_t vertices, const OpenSurface& other) {
+  const IdVector<InputVertex, std::uint32_t> ranks = ranksOfMesh(open, vertices);
+  EliminationRanks out;
+  for (const InputVertex v : other.inputVertex) out.push_back(ranks[v]);
+  return out;
+}
+
+OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
+                     const UnwrapOptions& options, ThreadPool& pool,
+                     const std::function<bool()>& keepsOn, SeamReport& found) {
+  OpenSurface open = openAndFill(uncut, asked, options, Pulse(keepsOn));
+  SeamOptions toBegin = seamOptions(options, open, pool, keepsOn, variant.costs);
+  // How much stretch refining leaves is only known to about a third, and cutting again takes
+  // another run.
+  constexpr double kShare = 0.85;
+  if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
+  if (variant.before)
+    toBegin.eliminationRanks = ranksOf(*variant.before, uncut.welded.mesh.vertexCount(), open);
+  // Symmetric seams that were not preferable hardly ever become so.
+  const bool isAsymmetric = variant.before && !variant.before->mirror;
+  if (isAsymmetric && options.symmetricSeams == SymmetricSeams::Auto)
+    toBegin.symmetricSeams = SymmetricSeams::Never;
+  const EliminationRanks ranks = toBegin.eliminationRanks;
+  findAround(uncut.fixed.isFixed, toBegin, open, found);
+  if (variant.before) open.eliminationRanks = ranks;
+  if (isForFront(variant.costs)) open.variant = variant.costs;
+  return open;
+}
+
+/// Cuts flat regions with holes out along their creases, if that costs less than seams through
+/// them.
+void openPlates(const UncutSurface& uncut, const AskedCuts& asked, int costs,
+                const UnwrapOptions& options, ThreadPool& pool,
+                const std::function<bool()>& keepsOn, OpenSurface& open, SeamReport& found) {
+  const Seams borders = plateBorders(open.mesh);
+  if (borders.empty()) return;
+  AskedCuts along = asked;
+  for (const SurfaceCorner h : along.seams.ids()) along.seams[h] = along.seams[h] || borders[h];
+  SeamReport report;
+  OpenSurface other = openWith(uncut, along, {costs, &open}, options, pool, keepsOn, report);
+  if (report.cancelled) found.cancelled = true;
+  const SeamOptions how = seamOptions(options, open, pool, keepsOn);
+  // Of symmetric seams less is known than of those that they were preferred to.
+  const auto costOf = [&](const OpenSurface& x) {
+    const bool isSure = x.otherwise.seams.empty();
+    return costOfWhole(x.mesh, isSure ? x.seams : x.otherwise.seams,
+                       isSure ? x.scale : x.otherwise.scale, how.maxStretch, how.prices);
+  };
+  // On the surface that is open there, the borders no longer know what they cost.
+  double ofBorders = 0;
+  for (const SurfaceCorner h : borders.ids())
+    if (borders[h] && !other.mesh.twin[h].exists()) ofBorders += open.mesh.cost[h] / 2;
+  ofBorders /= std::sqrt(open.mesh.totalArea());
+  if (report.cancelled || !(costOf(other) + ofBorders < costOf(open))) return;
+  open = std::move(other);
+  found = std::move(report);
+}
+
+}  // namespace
+
+OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
+                    const UnwrapOptions& options, ThreadPool& pool,
+                    const std::function<bool()>& keepsOn, SeamSummary& summary) {
+  SeamReport found;
+  OpenSurface open = openWith(uncut, asked, variant, options, pool, keepsOn, found);
+  const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
+  if (options.seams.isAuto && !isSymmetric && !found.cancelled)
+    openPlates(uncut, asked, variant.costs, options, pool, keepsOn, open, found);
+  summary.genus = uncut.surface.summary.genus;
+  summary.handleLoops = found.handleLoops;
+  summary.handleLength = found.handleLength;
+  open.asymmetry = found.asymmetry;
+  return open;
+}
+
+}  // namespace abflat

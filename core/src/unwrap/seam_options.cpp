@@ -1,0 +1,28 @@
+#include "unwrap/seam_options.h"
+
+#include <utility>
+
+#include "refine/refine.h"
+#include "unwrap/expected_density.h"
+
+namespace abflat {
+
+SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, ThreadPool& pool,
+                        std::function<bool()> keepsOn, int variant) {
+  SeamOptions out;
+  out.variant = variant;
+  out.isAuto = options.seams.isAuto;
+  out.maxStretch = stretchBeforeRefining(options.maxStretch, Energy(options.balance));
+  if (options.seamCosts == SeamCosts::Length) out.prices = SeamPrices::none();
+  out.symmetricSeams = options.symmetricSeams;
+  out.fillHoles = options.fillHoles;
+  constexpr double kSpeckTexels = 16;
+  out.speck = kSpeckTexels / expectedDensity(options, open.mesh.totalArea(), open.unit);
+  if (options.udim)  // each chart has to fit a tile
+    out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
+  out.pool = &pool;
+  out.keepsOn = std::move(keepsOn);
+  return out;
+}
+
+}  // namespace abflat
