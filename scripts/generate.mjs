@@ -14,7 +14,13 @@ import {
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { renderField, renderNames, renderOptions, renderStatusCode } from './lib/generate-cpp.mjs';
+import {
+  renderField,
+  renderNames,
+  renderOptions,
+  renderStatusCode,
+  renderUnwrapArrays,
+} from './lib/generate-cpp.mjs';
 import { renderReportHeaders } from './lib/generate-cpp-report.mjs';
 import { fillRegions } from './lib/generate-docs.mjs';
 import {
@@ -51,6 +57,7 @@ export function renderAll(root) {
     ['native/src/files/generated/file_format.h', renderFileFormat(schema)],
     ['web/src/words/generated-formats.ts', renderPageFormats(schema)],
     ['wasm/bindings/generated/field.h', renderField(schema)],
+    ['wasm/bindings/generated/unwrap_array.h', renderUnwrapArrays(schema)],
     ['wasm/src/base/generated.ts', renderTypeScript(schema)],
     ['wasm/src/base/generated-report.ts', renderReportTypes(schema)],
     ['wasm/src/base/generated-arrays.ts', renderResultArrays(schema)],

@@ -16,7 +16,8 @@ const CPP_FOLDERS = [
   'core/formats',
   'native',
   'wasm/bindings',
-  'tests/core',
+  'examples',
+  'tests',
 ];
 const BIOME = join(ROOT, 'node_modules/.bin/biome');
 

@@ -124,6 +124,33 @@ export function renderNames({ enums }) {
   return `${[...head, ...parts, ...tail].join('\n')}\n`;
 }
 
+/** The arrays that JavaScript writes for `unwrap`. */
+export function renderUnwrapArrays({ unwrapArrays }) {
+  const parts = [
+    HEADER,
+    '#include "abflat/unwrap.h"\n',
+    'namespace abflat::bindings {\n',
+    enumClass(
+      'UnwrapArray',
+      'Arrays among the options of unwrap.',
+      unwrapArrays.map(({ name, text }, i) => [pascalCase(name), i, text]),
+    ),
+    '/// What `take` returns for the array.',
+    'template <class Take>',
+    'auto takeArray(UnwrapOptions& options, UnwrapArray which, const Take& take) {',
+    '  switch (which) {',
+    ...unwrapArrays.map(
+      ({ name, field }) =>
+        `    case UnwrapArray::${pascalCase(name)}:\n      return take(options.${field});`,
+    ),
+    '  }',
+    `  return take(options.${unwrapArrays[0].field});`,
+    '}\n',
+    '}  // namespace abflat::bindings',
+  ];
+  return `${parts.join('\n')}\n`;
+}
+
 /** The arrays that JavaScript reads, and then files. */
 export function renderField({ resultArrays }) {
   const entries = resultArrays.map(({ name, text }, i) => [pascalCase(name), i, text]);

@@ -102,6 +102,24 @@ function enumParts(enums) {
   });
 }
 
+/** Arrays that a caller may pass to `unwrap`, in the order of the C++ enum. */
+function arrayParts({ unwrapArrays }) {
+  const types = { number: 'Float32Array | Float64Array', index: 'Uint32Array' };
+  const fields = unwrapArrays.map(
+    ({ name, type, word, text }) =>
+      `  /** ${sentence(text)} */\n  ${name}?: ${types[type]}${word ? ` | ${literal(word)}` : ''};`,
+  );
+  const rows = unwrapArrays.map(({ name, type, of, multiple = 1, word }) => {
+    const entries = Object.entries({ type, ...(of && { of }), multiple, ...(word && { word }) });
+    return `  ${name}: ${object(entries)},`;
+  });
+  return [
+    `export interface UnwrapArrays {\n${fields.join('\n')}\n}\n`,
+    '/** Element types, what they are numbers of, and what may stand for them, in the order of the C++ side. */',
+    `export const UNWRAP_ARRAYS = {\n${rows.join('\n')}\n} as const;\n`,
+  ];
+}
+
 /** The files that the module writes, in the order of the C++ enum. */
 const moduleFiles = ({ formats }) => writtenFormats(coreFormats(formats));
 
@@ -130,6 +148,7 @@ export function renderTypeScript(schema) {
     ...statusParts(schema.statuses),
     ...optionSets(withoutResearch(schema)).flatMap(optionParts),
     ...enumParts(schema.enums),
+    ...arrayParts(schema),
     ...fileParts(schema),
   ];
   return `${parts.join('\n').trimEnd()}\n`;

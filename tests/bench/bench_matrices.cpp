@@ -104,8 +104,7 @@ bool makeMesh(const std::string& what, PolygonMesh& mesh) {
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const Result<MeshFormat> format = detectFormat(path, bytes);
-  Result<PolygonMesh> read =
-      format.ok() ? readMesh(bytes, format.value(), path) : format.status();
+  Result<PolygonMesh> read = format.ok() ? readMesh(bytes, format.value(), path) : format.status();
   if (!in || !read.ok()) {
     std::fprintf(stderr, "%s cannot be read\n", path.c_str());
     return false;

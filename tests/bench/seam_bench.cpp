@@ -29,7 +29,8 @@ bool read(const std::string& path, PolygonMesh& mesh) {
   std::ifstream in(path, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   const Result<MeshFormat> format = detectFormat(path, bytes);
-  Result<PolygonMesh> result = format.ok() ? readMesh(bytes, format.value(), path) : format.status();
+  Result<PolygonMesh> result =
+      format.ok() ? readMesh(bytes, format.value(), path) : format.status();
   if (!result.ok()) std::fprintf(stderr, "%s\n", result.status().message.c_str());
   mesh = std::move(result.value());
   return result.ok();

@@ -41,8 +41,8 @@ Result<std::string> layoutText(const std::string& command, const std::string& pa
   Result<UnwrapResult> result = unwrap(mesh.value(), {});
   if (!result.ok()) return result.status();
   turnFaces(mesh.value(), result.value());
-  return writeMesh(MeshFormat::Obj, mesh.value(), result.value().uv, result.value().cornerUv, source,
-                   result.value().report.repair.turnedFaces);
+  return writeMesh(MeshFormat::Obj, mesh.value(), result.value().uv, result.value().cornerUv,
+                   source, result.value().report.repair.turnedFaces);
 }
 
 }  // namespace

@@ -54,8 +54,9 @@ void countFiles(const PolygonMesh& mesh, const UnwrapResult& atlas, StageSteps& 
   out["write PLY"] = stepsOf([&] { ply = writePly(mesh, atlas.uv, atlas.cornerUv, {}); });
   out["read PLY"] = stepsOf([&] { readMesh(ply, MeshFormat::Ply, "mesh"); });
   std::string glb;
-  out["write GLB"] = stepsOf(
-      [&] { glb = makeGltf(mesh, atlas.uv, atlas.cornerUv, atlas.triangleCorners, {}, {}).value(); });
+  out["write GLB"] = stepsOf([&] {
+    glb = makeGltf(mesh, atlas.uv, atlas.cornerUv, atlas.triangleCorners, {}, {}).value();
+  });
   out["read GLB"] = stepsOf([&] {
     readGltf(glb, "mesh", [](const std::string&) { return Result<std::string>(std::string()); });
   });

@@ -290,6 +290,24 @@ describe('in a copy', () => {
     assert.match(read(OUTPUTS[8]), /obj: \{ field: 10, Kind: Uint8Array \},/);
   });
 
+  test('a new array among the options of unwrap reaches both sides', () => {
+    fresh();
+    changeSchema(({ unwrapArrays }) => {
+      unwrapArrays.push({
+        name: 'tileOfFace',
+        type: 'index',
+        of: 'tiles',
+        field: 'tiles',
+        text: 'the tile of each face',
+      });
+    }, REPORT_SCHEMA);
+    assert.equal(generate(copy).status, 0);
+    const header = read('wasm/bindings/generated/unwrap_array.h');
+    assert.match(header, /case UnwrapArray::TileOfFace:\n {6}return take\(options\.tiles\);/);
+    assert.match(read(OUTPUTS[2]), /tileOfFace\?: Uint32Array;/);
+    assert.match(read(OUTPUTS[2]), /tileOfFace: \{ type: 'index', of: 'tiles', multiple: 1 \},/);
+  });
+
   const NEW_FORMAT = {
     name: 'three',
     title: '3MF',

@@ -5,11 +5,13 @@
 #include <emscripten/em_js.h>
 #include <emscripten/emscripten.h>
 
+#include <array>
 #include <cstdlib>
 #include <new>
 #include <vector>
 
 #include "abflat/samples.h"
+#include "generated/unwrap_array.h"
 #include "job.h"
 
 using abflat::Precision;
@@ -17,6 +19,7 @@ using abflat::StatusCode;
 using abflat::bindings::Field;
 using abflat::bindings::Job;
 using abflat::bindings::kFirstFile;
+using abflat::bindings::UnwrapArray;
 
 // clang-format off
 EM_JS(void, abflatReportProgress, (const char* stage, int newtonStep, double residual, double fraction), {
@@ -50,6 +53,17 @@ int setNumber(Job& job, Options& options, int index, double value) {
   if (setOption(options, index, value)) return 0;
   return finish(
       job, {StatusCode::InvalidOption, "option " + std::to_string(index) + " is out of its range"});
+}
+
+template <class T>
+void* resized(std::vector<T>& numbers, std::size_t size) {
+  numbers.resize(size);
+  return numbers.data();
+}
+template <class T, std::size_t N>
+void* resized(std::vector<std::array<T, N>>& groups, std::size_t size) {
+  groups.resize(size / N);
+  return groups.data();
 }
 
 }  // namespace
@@ -128,17 +142,10 @@ EMSCRIPTEN_KEEPALIVE char* abflatSeams(Job* job, std::size_t size) {
   return job->seams.data();
 }
 
-/// Buffer for edges to cut, two vertex numbers each.
-EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatSeamEdges(Job* job, std::size_t count) {
-  std::vector<abflat::EdgeVertices>& edges = job->unwrapOptions.seams.edges;
-  edges.resize(count);
-  return edges.empty() ? nullptr : edges.front().data();
-}
-
-/// Buffer for faces that keep their texcoords.
-EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedFaces(Job* job, std::size_t count) {
-  job->unwrapOptions.reuse.fixedFaces.resize(count);
-  return job->unwrapOptions.reuse.fixedFaces.data();
+/// Buffer for an array among the options of unwrap, `size` numbers; UnwrapArray says which.
+EMSCRIPTEN_KEEPALIVE void* abflatArray(Job* job, int array, std::size_t size) {
+  return takeArray(job->unwrapOptions, static_cast<UnwrapArray>(array),
+                   [size](auto& numbers) { return resized(numbers, size); });
 }
 
 /// Makes all faces that have texcoords keep them.
@@ -149,21 +156,9 @@ EMSCRIPTEN_KEEPALIVE void abflatKeepsValidOnly(Job* job) {
   job->unwrapOptions.reuse.keepsValidOnly = true;
 }
 
-/// Buffer for charts of a known layout that stay where they are.
-EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatFixedCharts(Job* job, std::size_t count) {
-  job->unwrapOptions.reuse.fixedCharts.resize(count);
-  return job->unwrapOptions.reuse.fixedCharts.data();
-}
-
 /// Makes known charts stay where they are.
 EMSCRIPTEN_KEEPALIVE void abflatKeepsPlaces(Job* job) {
   job->unwrapOptions.reuse.keepsPlaces = true;
-}
-
-/// Buffer for the texel density wanted for each face, relative to the others.
-EMSCRIPTEN_KEEPALIVE double* abflatFaceDensities(Job* job, std::size_t count) {
-  job->unwrapOptions.faceDensities.resize(count);
-  return job->unwrapOptions.faceDensities.data();
 }
 
 /// Buffer for an array of a known layout, `size` numbers; Field says which.

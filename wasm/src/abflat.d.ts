@@ -14,12 +14,9 @@ export interface NativeModule {
   _abflatSetOption(job: number, index: number, value: number): number;
   _abflatSetUnwrapOption(job: number, index: number, value: number): number;
   _abflatSeams(job: number, bytes: number): number;
-  _abflatSeamEdges(job: number, count: number): number;
-  _abflatFixedFaces(job: number, count: number): number;
+  _abflatArray(job: number, array: number, count: number): number;
   _abflatKeepUv(job: number): void;
   _abflatKeepsValidOnly(job: number): void;
-  _abflatFixedCharts(job: number, count: number): number;
-  _abflatFaceDensities(job: number, count: number): number;
   _abflatKeepsPlaces(job: number): void;
   _abflatKnown(job: number, field: number, count: number): number;
   _abflatNormalizes(job: number): void;

@@ -8,8 +8,8 @@ import { ownFields } from './messages/fields.js';
 import { takeArrays, takeFile, takeMesh } from './messages/input.js';
 import type { Description, LayoutRequest, Request } from './messages/protocol.js';
 import {
+  arraysOf,
   boundNumbers,
-  chartNumbers,
   checkAddress,
   checkBoolean,
   checkBuild,
@@ -18,15 +18,12 @@ import {
   checkNumber,
   checkSignal,
   checkString,
-  densitiesOf,
   flattenNumbers,
   KEYS,
-  keptFaces,
   knownArrays,
   knownOptions,
   pinNumbers,
   pinnedVertices,
-  seamVertices,
   straightNumbers,
   unwrapNumbers,
 } from './messages/validate.js';
@@ -160,22 +157,21 @@ function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<
   const { keepsPlaces = false, keepsValidOnly = false } = options;
   checkBoolean('keepsPlaces', keepsPlaces);
   checkBoolean('keepsValidOnly', keepsValidOnly);
-  const fixedCharts = chartNumbers(options.fixedCharts);
-  const wantsUv = fixedCharts.length > 0 ? 'fixedCharts' : keepsPlaces && 'keepsPlaces';
+  const arrays = arraysOf(options);
+  const wantsUv = options.fixedCharts?.length ? 'fixedCharts' : keepsPlaces && 'keepsPlaces';
   const known = knownArrays(options.known, wantsUv);
   const settings = {
     kind: 'unwrap',
     values: unwrapNumbers(options),
     seams,
-    seamEdges: seamVertices(options.seamEdges),
-    fixedFaces: keptFaces(options.fixedFaces),
+    arrays,
+    keepsUv: options.fixedFaces === 'uv',
     keepsValidOnly,
-    fixedCharts,
     keepsPlaces,
-    faceDensities: densitiesOf(options.faceDensities),
     known,
   } as const;
-  const buffers = Object.values(known?.arrays ?? {}).map(({ buffer }) => buffer as ArrayBuffer);
+  const copies = [...arrays, ...Object.values(known?.arrays ?? {})];
+  const buffers = copies.flatMap((copy) => (copy ? [copy.buffer as ArrayBuffer] : []));
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }), buffers);
 }
 

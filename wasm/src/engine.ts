@@ -167,20 +167,18 @@ export class Engine {
   }
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
-    const { values, seams, seamEdges, fixedFaces, fixedCharts, keepsPlaces, known } = request;
-    const { faceDensities, keepsValidOnly } = request;
+    const { values, seams, arrays, keepsUv, keepsValidOnly, keepsPlaces, known } = request;
     return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
         this.#setOptions(job, values, native._abflatSetUnwrapOption);
         if (seams !== undefined)
           this.#heap.writeText(seams, (bytes) => native._abflatSeams(job, bytes));
-        this.#heap.writeNumbers(native._abflatSeamEdges(job, seamEdges.length / 2), seamEdges);
-        if (fixedFaces === 'uv') native._abflatKeepUv(job);
-        else this.#heap.writeNumbers(native._abflatFixedFaces(job, fixedFaces.length), fixedFaces);
+        arrays.forEach((array, which) => {
+          if (array) this.#heap.writeArray(job, which, array);
+        });
+        if (keepsUv) native._abflatKeepUv(job);
         if (keepsValidOnly) native._abflatKeepsValidOnly(job);
-        this.#heap.writeNumbers(native._abflatFixedCharts(job, fixedCharts.length), fixedCharts);
         if (keepsPlaces) native._abflatKeepsPlaces(job);
-        if (faceDensities) this.#heap.writeDensities(job, faceDensities);
         if (known !== undefined) this.#heap.writeKnown(job, known);
       },
       run: this.#native._abflatUnwrap,

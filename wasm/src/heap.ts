@@ -68,15 +68,15 @@ export class Heap {
         RESULT_ARRAYS[name as keyof typeof arrays].field,
         array.length,
       );
-      if (array instanceof Float64Array) this.#writeReals(start, array);
-      else this.writeNumbers(start, array);
+      this.#write(start, array);
     }
     this.#native._abflatKnownOptions(job, t, balance, straightSeams);
   }
 
-  writeDensities(job: number, ofFace: Float64Array): void {
-    this.#checkBytes(ofFace.byteLength);
-    this.#writeReals(this.#native._abflatFaceDensities(job, ofFace.length), ofFace);
+  /** `which`: its place in UNWRAP_ARRAYS. */
+  writeArray(job: number, which: number, array: Uint32Array | Float64Array): void {
+    this.#checkBytes(array.byteLength);
+    this.#write(this.#native._abflatArray(job, which, array.length), array);
   }
 
   writeName(job: number, name: string): void {
@@ -93,6 +93,11 @@ export class Heap {
   /** `address` is as the module returns it. */
   writeNumbers(address: number, values: ArrayLike<number>): void {
     new Uint32Array(this.#memory.buffer, address >>> 0, values.length).set(values);
+  }
+
+  #write(address: number, array: Uint32Array | Float64Array): void {
+    if (array instanceof Float64Array) this.#writeReals(address, array);
+    else this.writeNumbers(address, array);
   }
 
   #writeReals(address: number, values: Float32Array | Float64Array): void {

@@ -54,18 +54,19 @@ class BufferLoader {
     const std::string uri = place.text();
     if (isDataUri(uri)) {
       Result<std::string> data = dataOf(uri);
-      if (!data.ok()) place.complain(data.status().message);
-      return std::move(data.value());
+      if (data.ok()) return std::move(data).value();
+      place.complain(data.status().message);
+      return {};
     }
     if (hasScheme(uri)) {
       place.complain("is " + uri + ", which is not a local file. Download it first");
       return {};
     }
     Result<std::string> bytes = readResource_(pathOfUri(uri));
-    if (!bytes.ok())
-      complaints_.fail(
-          {bytes.status().code, fileName_ + ": " + place.place() + ": " + bytes.status().message});
-    return std::move(bytes.value());
+    if (bytes.ok()) return std::move(bytes).value();
+    complaints_.fail(
+        {bytes.status().code, fileName_ + ": " + place.place() + ": " + bytes.status().message});
+    return {};
   }
 
   const Container& container_;

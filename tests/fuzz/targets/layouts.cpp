@@ -97,9 +97,10 @@ void expectValidGltf(const PolygonMesh& mesh, const UnwrapResult& result) {
     expect(!fitsSingle(mesh), "an atlas can be written as a glTF: " + bytes.status().message);
     return;
   }
-  const Result<GltfModel> again = abflat::readGltf(bytes.value(), "written", [](const std::string&) {
-    return Result<std::string>(Status{StatusCode::UnreadableFile, "there is no such file"});
-  });
+  const Result<GltfModel> again =
+      abflat::readGltf(bytes.value(), "written", [](const std::string&) {
+        return Result<std::string>(Status{StatusCode::UnreadableFile, "there is no such file"});
+      });
   expect(again.ok(), "what is written can be read: " + again.status().message);
   const PolygonMesh& read = again.value().mesh;
   AtlasTriangles triangles;
@@ -132,7 +133,7 @@ bool unwrapMesh(const std::uint8_t* bytes, std::size_t size) {
   const Result<UnwrapResult> result = unwrap(mesh, options);
   if (!result.ok()) {
     expectReason(result.status(), {StatusCode::EmptyMesh, StatusCode::AtlasTooSmall,
-                                 StatusCode::InvalidOption, StatusCode::InvalidMesh});
+                                   StatusCode::InvalidOption, StatusCode::InvalidMesh});
     return false;
   }
   const UnwrapReport& report = result.value().report;
@@ -146,7 +147,8 @@ bool unwrapMesh(const std::uint8_t* bytes, std::size_t size) {
   if (options.precision == Precision::Gltf)
     expectValidGltf(mesh, result.value());
   else
-    expectFile(mesh, result.value(), options.precision == Precision::Single ? MeshFormat::Ply : MeshFormat::Obj);
+    expectFile(mesh, result.value(),
+               options.precision == Precision::Single ? MeshFormat::Ply : MeshFormat::Obj);
   return true;
 }
 

@@ -195,6 +195,25 @@ export type CompareStage = 'read';
 /** A method of compare. */
 export type MethodKey = 'abflatAuto' | 'abflatConvex' | 'abflatFree' | 'abflatBalanced' | 'symmetricDirichlet' | 'mips' | 'tutte' | 'meanValue' | 'harmonic' | 'lscm';
 
+export interface UnwrapArrays {
+  /** Edges to cut in addition, given as two input vertices each. */
+  seamEdges?: Uint32Array;
+  /** Input faces whose uv islands stay exactly as they are, or `'uv'` for all that have texcoords; all others are packed around them. */
+  fixedFaces?: Uint32Array | 'uv';
+  /** Charts of `known` that stay exactly where they are; all others are packed around them. */
+  fixedCharts?: Uint32Array;
+  /** Per input face, the texel density wanted for it relative to the others, from 0.001 to 1000; a chart has as many texels as its faces ask for together, and charts that stay where they are also keep their size. */
+  faceDensities?: Float32Array | Float64Array;
+}
+
+/** Element types, what they are numbers of, and what may stand for them, in the order of the C++ side. */
+export const UNWRAP_ARRAYS = {
+  seamEdges: { type: 'index', of: 'vertex pairs', multiple: 2 },
+  fixedFaces: { type: 'index', of: 'face numbers', multiple: 1, word: 'uv' },
+  fixedCharts: { type: 'index', of: 'chart numbers', multiple: 1 },
+  faceDensities: { type: 'number', multiple: 1 },
+} as const;
+
 export const WRITTEN_FORMATS = ['obj', 'ply'] as const;
 
 export type WrittenFormat = (typeof WRITTEN_FORMATS)[number];

@@ -72,14 +72,11 @@ export interface UnwrapRequest extends LayoutRequest {
   values: number[];
   /** Where to cut, as text; without it the module uses its default. */
   seams?: string;
-  /** Two vertices per edge. */
-  seamEdges: Uint32Array;
-  fixedFaces: Uint32Array | 'uv';
+  /** One place per array of UNWRAP_ARRAYS, in its order. */
+  arrays: (Uint32Array | Float64Array | undefined)[];
+  keepsUv: boolean;
   keepsValidOnly: boolean;
-  /** Charts of `known`. */
-  fixedCharts: Uint32Array;
   keepsPlaces: boolean;
-  faceDensities?: Float64Array;
   known?: KnownArrays;
 }
 

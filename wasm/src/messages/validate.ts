@@ -6,8 +6,10 @@ import {
   FLATTEN_DEFAULTS,
   FLATTEN_OPTIONS,
   type FlattenOptionValues,
+  UNWRAP_ARRAYS,
   UNWRAP_DEFAULTS,
   UNWRAP_OPTIONS,
+  type UnwrapArrays,
   type UnwrapOptionValues,
   WRITTEN_FORMATS,
 } from '../base/generated.js';
@@ -22,13 +24,10 @@ export const KEYS = {
   flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'straight', 'normalize', ...OF_LAYOUT],
   unwrap: [
     ...Object.keys(UNWRAP_OPTIONS),
+    ...Object.keys(UNWRAP_ARRAYS),
     'seams',
-    'seamEdges',
-    'fixedFaces',
     'keepsValidOnly',
-    'fixedCharts',
     'keepsPlaces',
-    'faceDensities',
     'known',
     ...OF_LAYOUT,
   ],
@@ -245,40 +244,44 @@ export function knownArrays(known: unknown, needsUv: string | false): KnownArray
 
 const OF_KNOWN = ['uv', 'unpacked', 'indices', 'vertexMap', 'chartOfTriangle', 'report'] as const;
 
-/** A copy, so that the caller's buffer stays. `what`: its elements, in words. */
-function numbers(name: string, what: string, values: unknown): Uint32Array {
-  if (values === undefined) return new Uint32Array();
-  if (tagOf(values) !== 'Uint32Array')
-    throw invalid(`${name} must be a Uint32Array of ${what}, not ${tagOf(values)}.`);
-  checkMemory(name, values as Uint32Array);
-  return new Uint32Array(values as Uint32Array);
+/**
+ * Copies of the arrays among options, so that the caller's buffers stay, in the order of
+ * UNWRAP_ARRAYS. The module checks the numbers.
+ */
+export function arraysOf(options: UnwrapArrays): (Uint32Array | Float64Array | undefined)[] {
+  const names = Object.keys(UNWRAP_ARRAYS) as (keyof UnwrapArrays)[];
+  return names.map((name) => copyOf(name, UNWRAP_ARRAYS[name], options[name]));
 }
 
-export function seamVertices(edges: unknown): Uint32Array {
-  const pairs = numbers('seamEdges', 'vertex pairs', edges);
-  if (pairs.length % 2 !== 0)
-    throw invalid(`seamEdges has ${pairs.length} elements, not a multiple of 2.`);
-  return pairs;
+interface ArrayInfo {
+  readonly type: 'index' | 'number';
+  readonly of?: string;
+  readonly multiple: number;
+  readonly word?: string;
 }
 
-export function keptFaces(faces: unknown): Uint32Array | 'uv' {
-  if (faces === 'uv') return faces;
-  if (tagOf(faces) === 'String') throw invalid(`fixedFaces must be 'uv' or a Uint32Array.`);
-  return numbers('fixedFaces', 'face numbers', faces);
-}
-
-export function chartNumbers(charts: unknown): Uint32Array {
-  return numbers('fixedCharts', 'chart numbers', charts);
-}
-
-/** A copy in double precision. The module checks the numbers. */
-export function densitiesOf(densities: unknown): Float64Array | undefined {
-  if (densities === undefined) return undefined;
-  const tag = tagOf(densities);
-  if (tag !== 'Float32Array' && tag !== 'Float64Array')
-    throw invalid(`faceDensities must be a Float32Array or Float64Array, not ${tag}.`);
-  checkMemory('faceDensities', densities as ArrayBufferView);
-  return new Float64Array(densities as Float64Array);
+function copyOf(
+  name: string,
+  info: ArrayInfo,
+  given: unknown,
+): Uint32Array | Float64Array | undefined {
+  if (given === undefined || (info.word !== undefined && given === info.word)) return undefined;
+  const tag = tagOf(given);
+  const isIndex = info.type === 'index';
+  if (info.word !== undefined && tag === 'String')
+    throw invalid(`${name} must be '${info.word}' or a Uint32Array.`);
+  const kinds = isIndex ? ['Uint32Array'] : ['Float32Array', 'Float64Array'];
+  if (!kinds.includes(tag)) {
+    const of = info.of ? ` of ${info.of}` : '';
+    throw invalid(`${name} must be a ${kinds.join(' or ')}${of}, not ${tag}.`);
+  }
+  checkMemory(name, given as ArrayBufferView);
+  const copy = isIndex
+    ? new Uint32Array(given as Uint32Array)
+    : new Float64Array(given as Float64Array);
+  if (copy.length % info.multiple !== 0)
+    throw invalid(`${name} has ${copy.length} elements, not a multiple of ${info.multiple}.`);
+  return copy;
 }
 
 function checkIndex(name: string, kind: string, value: unknown): void {

@@ -1,6 +1,6 @@
 // `unwrap`: an atlas for any mesh.
 
-import type { UnwrapOptionValues, UnwrapStage } from '../base/generated.js';
+import type { UnwrapArrays, UnwrapOptionValues, UnwrapStage } from '../base/generated.js';
 import type { UnwrapReport } from '../base/generated-report.js';
 import type { Layout, LayoutOptions, Progress } from './layout.js';
 
@@ -24,36 +24,21 @@ export interface KnownLayout {
 }
 
 /** UNWRAP_OPTIONS describes the plain values and their defaults. */
-export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues> {
+export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues>, UnwrapArrays {
   /** Where to cut: `auto` (the default), `hard`, `uv`, `material`, `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
   seams?: string;
-  /** Edges to cut in addition, given as two input vertices each. */
-  seamEdges?: Uint32Array;
-  /**
-   * Input faces whose uv islands stay exactly as they are, or `'uv'` for all that have texcoords.
-   * All others are packed around them.
-   */
-  fixedFaces?: Uint32Array | 'uv';
   /**
    * Islands of `fixedFaces` that cannot stay are unwrapped like the others, and a note in the report
    * names them: where a face is mirrored, degenerate in uv or outside its tile, or where the island
    * overlaps itself or another one. Otherwise they are an error. Default: false.
    */
   keepsValidOnly?: boolean;
-  /** Charts of `known` that stay exactly where they are; all others are packed around them. */
-  fixedCharts?: Uint32Array;
   /**
    * Charts of `known` that are not flattened again also stay exactly where they are in its `uv`. The
    * others are packed around them, at their texel density if there is room. Charts that stay may
    * overlap or leave the square; the result is then not valid, and the report says which ones.
    */
   keepsPlaces?: boolean;
-  /**
-   * Per input face, the texel density wanted for it relative to the others, from 0.001 to 1000. A
-   * chart has as many texels as its faces ask for together. Charts that stay where they are also
-   * keep their size.
-   */
-  faceDensities?: Float32Array | Float64Array;
   /**
    * Charts with the triangles and the outline of one of these, and the same `t`, `balance` and
    * `straightSeams`, are not flattened again.
