@@ -5,7 +5,7 @@
 namespace abflat {
 
 std::size_t joinVertices(PolygonMesh& mesh) {
-  if (inspect(mesh, Pulse()).disk.ok()) return 0;
+  if (inspect(mesh, Listener()).disk.ok()) return 0;
   const Welding welding = weldSurface(mesh);
   for (std::uint32_t& v : mesh.faceVertices) v = welding.ofVertex[v];
   return welding.merged;

@@ -9,7 +9,7 @@
 namespace abflat {
 namespace {
 
-/// Steps of a pulse that every task counts for, whatever it does.
+/// Small steps of a Listener that every task counts for, whatever it does.
 constexpr std::size_t kStepsOfTask = 1 << 7;
 /// Elements of a range that count as one step.
 constexpr std::size_t kPerStep = 8;
@@ -113,10 +113,10 @@ void ThreadPool::pause(std::unique_lock<std::mutex>& lock) {
   for (int i = 0; i < kLooks && changes_.load() == seen; ++i) std::this_thread::yield();
   lock.lock();
   const auto isChanged = [&] { return changes_.load() != seen; };
-  if (!pulse_ || !isOwner()) return changed_.wait(lock, isChanged);
+  if (!isOwner()) return changed_.wait(lock, isChanged);
   while (!changed_.wait_for(lock, kSilence, isChanged)) {
     lock.unlock();
-    pulse_->beat(Pulse::kSteps);
+    listener_.tell();
     lock.lock();
   }
 }

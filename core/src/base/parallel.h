@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/pulse.h"
+#include "base/listener.h"
 
 #if ABFLAT_THREADS
 #include <atomic>
@@ -37,20 +37,18 @@ class ThreadPool {
 
   unsigned threads() const;
 
-  /// Whether this is the thread that made the pool, the only one that may call the user's
-  /// functions.
-  bool isOwner() const;
-
-  /// From now on the owner's thread lets `pulse` beat while it works and waits. `pulse` must
-  /// outlive the pool.
-  void listen(const Pulse& pulse) { pulse_ = &pulse; }
+  /// From now on the owner's thread tells that work goes on, while it works and waits.
+  void listen(const Listener& listener) { listener_ = listener; }
   /// To be called after `steps` small steps of work, whichever thread did them.
   void beat(std::size_t steps) const {
-    if (pulse_ && isOwner()) pulse_->beat(steps);
+    if (isOwner()) listener_.beat(steps);
   }
 
  private:
-  const Pulse* pulse_ = nullptr;
+  /// Whether this is the thread that made the pool.
+  bool isOwner() const;
+
+  Listener listener_;
 
 #if ABFLAT_THREADS
   friend class TaskGroup;

@@ -72,12 +72,12 @@ std::string withoutFactorNote(const FactorMemory& memory) {
 }
 
 ChartFlattener::ChartFlattener(const DiskChart& chart, SolverOptions options, LayoutDemands demands,
-                               std::function<void(Stage)> onStage, const SolverChoice& choice)
+                               Listener listener, const SolverChoice& choice)
     : chart_(chart),
       demands_(std::move(demands)),
       problem_(buildAngleProblem(chart, options.pool)),
       solver_(std::make_unique<AngleSolver>(problem_, counting(std::move(options)), choice)),
-      onStage_(onStage ? std::move(onStage) : [](Stage) {}) {}
+      listener_(std::move(listener)) {}
 
 ChartFlattener::~ChartFlattener() = default;
 
@@ -92,10 +92,9 @@ IdVector<ChartVertex, std::uint32_t> ChartFlattener::eliminationRank() const {
 }
 
 SolverOptions ChartFlattener::counting(SolverOptions options) {
-  options.onStep = [this, told = std::move(options.onStep)](int step, const NewtonStep& now) {
+  options.onStep = [this](const NewtonStep& now) {
     ++steps_;
-    isStopped_ = told && !told(step, now);
-    return !isStopped_ && steps_ <= mostSteps_;
+    return listener_.tellStep(steps_, now.constraint) && steps_ <= mostSteps_;
   };
   return options;
 }
@@ -103,7 +102,7 @@ SolverOptions ChartFlattener::counting(SolverOptions options) {
 /// For an attempt ended by the caller, or by the limit on steps.
 Attempt ChartFlattener::withoutLayout(const BoundaryBounds& t) const {
   Attempt out;
-  out.ending = isStopped_ ? Ending::Cancelled : Ending::GivenUp;
+  out.ending = listener_.isStopped() ? Ending::Cancelled : Ending::GivenUp;
   out.t = t;
   return out;
 }
@@ -129,7 +128,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm, Ex
       isDelaunay ? solver_->solveDelaunay(warm->solution)
                  : solver_->solve(warm ? &warm->solution : nullptr, exactness == Exactness::Rough);
   timings_.solve += watch.lap();
-  if (a.solution.cancelled) return withoutLayout(t);
+  if (a.solution.isEnded) return withoutLayout(t);
   if (std::string note = withoutFactorNote(solver_->memory()); !note.empty() && !isDelaunay)
     a.fallbacks.push_back(std::move(note));
   if (!a.solution.weight.empty()) a.fallbacks.push_back(heavierAngles(problem_, a.solution));
@@ -144,7 +143,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm, Ex
     watch.lap();
     b.solution = solver_->solveWithFloor(floor);
     timings_.solve += watch.lap();
-    if (b.solution.cancelled) return withoutLayout(t);
+    if (b.solution.isEnded) return withoutLayout(t);
     b.fallbacks.push_back(withFloor("angles were too small to draw", floor));
     layOutAndCheck(b);
     a = std::move(b);
@@ -167,7 +166,7 @@ std::vector<ChartCorner> ChartFlattener::resistingEdges(const Attempt& from) {
   for (const double compliance : kCompliances) {
     problem_.edgeCompliance = compliance;
     AngleSolution s = solver_->solveDelaunay(best);
-    if (s.cancelled) return {};
+    if (s.isEnded) return {};
     if (!s.converged) break;
     best = std::move(s);
   }
@@ -203,7 +202,7 @@ Attempt ChartFlattener::tutte(const BoundaryBounds& t, const std::string& reason
 
 void ChartFlattener::layOutAndCheck(Attempt& a) {
   Stopwatch watch;
-  onStage_(Stage::Layout);
+  listener_.at(Stage::Layout).tell();
   a.solver = a.solution.barrierFloor > 0 ? Solver::InteriorPoint : Solver::ActiveSet;
   a.uv = layOut(chart_, a.solution.angles);
   timings_.layout += watch.lap();
@@ -212,7 +211,7 @@ void ChartFlattener::layOutAndCheck(Attempt& a) {
 
 void ChartFlattener::measure(Attempt& a) {
   Stopwatch watch;
-  onStage_(Stage::Check);
+  listener_.at(Stage::Check).tell();
   a.validity = check(a.uv);
   a.distortion = measureDistortion(chart_, a.uv);
   const StraightPlaces& straight = demands_.straight;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "abflat/chart_report.h"
 #include "angle/angle_problem.h"
+#include "base/listener.h"
 #include "boundary/missed_angles.h"
 #include "boundary/straight_runs.h"
 #include "chart/disk_chart.h"
@@ -27,7 +27,7 @@ class AngleSolver;
 enum class Ending : std::uint8_t {
   LaidOut,    ///< its layout has been checked and measured
   GivenUp,    ///< no layout: it would take more Newton steps than are allowed
-  Cancelled,  ///< no layout: the caller wants none
+  Cancelled,  ///< no layout: the listener has stopped
 };
 
 /// A layout for certain bounds, and how it was reached.
@@ -87,9 +87,10 @@ enum class Exactness : std::uint8_t {
 /// depend on them.
 class ChartFlattener {
  public:
-  /// Keeps a reference to the chart. `onStage` is called when Layout and Check begin.
+  /// Keeps a reference to the chart. `listener` is told of each step and of the stages Layout
+  /// and Check.
   ChartFlattener(const DiskChart& chart, SolverOptions options, LayoutDemands demands = {},
-                 std::function<void(Stage)> onStage = {}, const SolverChoice& choice = {});
+                 Listener listener = {}, const SolverChoice& choice = {});
   ~ChartFlattener();
   ChartFlattener(const ChartFlattener&) = delete;
   ChartFlattener& operator=(const ChartFlattener&) = delete;
@@ -168,9 +169,8 @@ class ChartFlattener {
   const LayoutDemands demands_;
   AngleProblem problem_;
   std::unique_ptr<AngleSolver> solver_;  ///< until solving has ended
-  std::function<void(Stage)> onStage_;
+  const Listener listener_;
   Timings timings_;
-  bool isStopped_ = false;  ///< by the caller
   int steps_ = 0, mostSteps_ = std::numeric_limits<int>::max();
   IdVector<ChartVertex, std::uint32_t> eliminationRank_;  ///< once solving has ended
 };

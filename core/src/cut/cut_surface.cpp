@@ -104,17 +104,17 @@ void measureCharts(const SeamMesh& mesh, CutSurface& s) {
 
 }  // namespace
 
-CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Pulse& pulse) {
+CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Listener& listener) {
   CutSurface s;
   s.twin = mesh.twin;
   for (const SurfaceCorner h : s.corners())
     if (seams[h]) s.twin[h] = SurfaceCorner();
   findVertices(mesh, s);
-  pulse.beat(mesh.triangleCount());
+  listener.beat(mesh.triangleCount());
   findCharts(s);
-  pulse.beat(mesh.triangleCount());
+  listener.beat(mesh.triangleCount());
   findLoops(s);
-  pulse.beat(mesh.triangleCount());
+  listener.beat(mesh.triangleCount());
   measureCharts(mesh, s);
   return s;
 }

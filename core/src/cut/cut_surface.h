@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "cut/surface_mesh.h"
 
 namespace abflat {
@@ -67,7 +67,7 @@ struct CutSurface {
   BoundaryLoop outline(CutChartId i) const { return loop(charts[i].firstLoop); }
 };
 
-/// `pulse` only beats here; it cannot stop the work.
-CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Pulse& pulse = {});
+/// `listener` only beats here; it cannot stop the work.
+CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Listener& listener = {});
 
 }  // namespace abflat

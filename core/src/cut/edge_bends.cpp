@@ -108,7 +108,7 @@ class Walker {
 
 }  // namespace
 
-IdVector<SurfaceCorner, double> edgeBends(const SeamMesh& mesh, const Pulse& pulse) {
+IdVector<SurfaceCorner, double> edgeBends(const SeamMesh& mesh, const Listener& listener) {
   const IdVector<SurfaceTriangle, double> size = sizes(mesh);
   const Walker walker(mesh);
   IdVector<SurfaceCorner, double> out(mesh.twin.size(), 0);
@@ -120,7 +120,7 @@ IdVector<SurfaceCorner, double> edgeBends(const SeamMesh& mesh, const Pulse& pul
     const double wide = angleBetween(walker.beside(h, width), walker.beside(o, width));
     const double bend = std::min(wide, kTimesOwn * own) + kOfNarrow * std::max(0.0, own - wide);
     out[h] = out[o] = isConcave(mesh, h) ? -bend : bend;
-    pulse.beat();
+    listener.beat();
   }
   return out;
 }

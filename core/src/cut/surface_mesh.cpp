@@ -125,8 +125,8 @@ void weighEdges(SeamMesh& m, const IdVector<SurfaceCorner, double>& cotangent) {
 
 /// Costs by how much seams are in sight.
 void hideSeams(SeamMesh& m, const IdVector<SurfaceCorner, std::uint8_t>& breaks, std::size_t upAxis,
-               const Pulse& pulse) {
-  const IdVector<SurfaceCorner, double> bend = edgeBends(m, pulse);
+               const Listener& listener) {
+  const IdVector<SurfaceCorner, double> bend = edgeBends(m, listener);
   m.dearness = findFront(m, bend, upAxis);
   for (double& x : m.dearness) x = 1 + (kDearInFront - 1) * x;
   const auto breaksAt = [&](SurfaceCorner h) {
@@ -159,7 +159,7 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
                       const Fans& fans, const IdVector<SurfaceCorner, std::uint8_t>& isDiagonal,
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale,
                       const IdVector<SurfaceCorner, std::uint8_t>& breaks, SeamCosts costs,
-                      std::size_t upAxis, const Pulse& pulse) {
+                      std::size_t upAxis, const Listener& listener) {
   SeamMesh m;
   m.vertexOfCorner = fans.ofCorner;
   m.twin = table.twin;
@@ -173,11 +173,11 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
   IdVector<SurfaceCorner, double> cotangent(corners);
   for (const SurfaceTriangle f : m.triangles()) {
     measureTriangle(m, f, cotangent);
-    pulse.beat();
+    listener.beat();
   }
   weighEdges(m, cotangent);
-  if (costs == SeamCosts::Sight) hideSeams(m, breaks, upAxis, pulse);
-  pulse.beat(corners);
+  if (costs == SeamCosts::Sight) hideSeams(m, breaks, upAxis, listener);
+  listener.beat(corners);
   for (const SurfaceCorner h : isDiagonal.ids())
     if (isDiagonal[h]) m.cost[h] = std::numeric_limits<double>::infinity();
   m.vertexArea.assign(fans.inputVertex.size(), 0);

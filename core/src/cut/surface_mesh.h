@@ -6,7 +6,7 @@
 
 #include "abflat/generated/unwrap_options.h"
 #include "abflat/mesh.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "cut/ids.h"
 #include "mesh/corner_table.h"
 #include "mesh/topology.h"
@@ -95,6 +95,6 @@ SeamMesh makeSeamMesh(const std::vector<double>& positions, const CornerTable& t
                       const IdVector<SurfaceTriangle, std::uint8_t>& scale = {},
                       const IdVector<SurfaceCorner, std::uint8_t>& breaks = {},
                       SeamCosts costs = SeamCosts::Sight, std::size_t upAxis = 1,
-                      const Pulse& pulse = {});
+                      const Listener& listener = {});
 
 }  // namespace abflat

@@ -1,10 +1,10 @@
 #include "abflat/flatten.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "abflat/mesh.h"
 #include "base/guarded.h"
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "boundary/requested_bounds.h"
@@ -18,37 +18,6 @@
 
 namespace abflat {
 namespace {
-
-/// Reports progress to the caller, and remembers when it asked to stop.
-class Monitor {
- public:
-  explicit Monitor(const ProgressCallback& callback) : callback_(callback) {}
-
-  bool tell(Stage stage, double fraction) {
-    last_.stage = stage;
-    last_.fraction = std::max(last_.fraction, fraction);
-    if (callback_ && !stopped_ && !callback_(last_)) stopped_ = true;
-    return !stopped_;
-  }
-
-  /// Convergence is quadratic and takes 3 to 10 steps on most charts, so the bar slows down after
-  /// that.
-  bool tellStep(const NewtonStep& now) {
-    last_.constraintResidual = now.constraint;
-    ++last_.newtonStep;
-    return tell(Stage::Solve, share());
-  }
-
-  bool tellStage(Stage stage) { return tell(stage, share()); }
-  bool stopped() const { return stopped_; }
-
- private:
-  double share() const { return 0.05 + 0.85 * (1 - std::exp(-last_.newtonStep / 5.0)); }
-
-  const ProgressCallback& callback_;
-  Progress last_;
-  bool stopped_ = false;
-};
 
 /// The surface is the only chart, so its vertices are the texcoords. Nothing is welded: polygons
 /// are those of the input.
@@ -72,9 +41,9 @@ struct Prepared {
   Texcoords texcoords;
 };
 
-Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
-  Surface surface = buildSurface(mesh, pulse);
-  if (pulse.isStopped()) return Status{StatusCode::Aborted, "cancelled"};
+Result<Prepared> prepare(const PolygonMesh& mesh, const Listener& listener) {
+  Surface surface = buildSurface(mesh, listener);
+  if (listener.isStopped()) return Status{StatusCode::Aborted, "cancelled"};
   if (!surface.summary.disk.ok()) return surface.summary.disk;
   Prepared out;
   out.chart = makeDiskChart(mesh, surface);
@@ -87,7 +56,7 @@ Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
 class Flattening {
  public:
   Flattening(const PolygonMesh& mesh, const FlattenOptions& options)
-      : mesh_(mesh), options_(options), monitor_(options.progress) {}
+      : mesh_(mesh), options_(options), listener_(options.progress) {}
 
   Result<FlattenResult> run() {
     if (Status s = check(); !s.ok()) return s;
@@ -99,6 +68,9 @@ class Flattening {
   }
 
  private:
+  /// Shares of the progress bar before the solver begins, and once the layout is found.
+  static constexpr double kConnectivity = 0.05, kSolved = 0.92;
+
   static Status aborted() { return {StatusCode::Aborted, "cancelled"}; }
 
   Status check() {
@@ -113,9 +85,9 @@ class Flattening {
   }
 
   Status seeDisk() {
-    const auto goesOn = [this] { return monitor_.tell(Stage::Connectivity, 0); };
-    if (!goesOn()) return aborted();
-    Result<Prepared> prepared = prepare(mesh_, Pulse(goesOn));
+    const Listener listener = listener_.part(Stage::Connectivity, 0, kConnectivity);
+    if (!listener.tell()) return aborted();
+    Result<Prepared> prepared = prepare(mesh_, listener);
     if (!prepared.ok()) return prepared.status();
     prepared_ = std::move(prepared.value());
     return {};
@@ -139,34 +111,34 @@ class Flattening {
   }
 
   Status layOut() {
-    if (!monitor_.tellStage(Stage::Solve)) return aborted();
+    const Listener listener = listener_.part(kConnectivity, kSolved);
+    if (!listener.at(Stage::Solve).tell()) return aborted();
     const DiskChart& chart = prepared_.chart;
     ThreadPool pool(usefulThreads(options_.threads, chart.triangleCount()));
     SolverOptions solver;
     solver.pool = &pool;
-    solver.onStep = [this](int, const NewtonStep& now) { return monitor_.tellStep(now); };
     solver.allowedBytes = allowedBytes(options_.memory);
-    ChartFlattener flattener(
-        chart, solver, {false, bounds_, straight_},
-        [this](Stage stage) { monitor_.tellStage(stage); }, choice_);
+    // Convergence is quadratic: most charts take 3 to 10 steps.
+    constexpr double kUsualSteps = 6;
+    const Listener ofSteps = listener.approach(kUsualSteps);
+    ChartFlattener flattener(chart, solver, {false, bounds_, straight_}, ofSteps, choice_);
     const double setUp = watch_.lap();
-    best_ = bestLayout(flattener, solver);
-    if (best_.isCancelled() || monitor_.stopped()) return aborted();
+    best_ = bestLayout(flattener, solver, ofSteps);
+    if (best_.isCancelled() || listener_.isStopped()) return aborted();
     out_.report.timings = flattener.timings();
     out_.report.timings.solve += setUp;
     out_.report.timings.connectivity = connectivitySeconds_;
     out_.report.threads = pool.threads();
     out_.straight = straightVertices(chart, straight_);
     out_.bounds = vertexBounds(chart, bounds_);
-    return monitor_.tell(Stage::Check, 0.92) ? Status() : aborted();
+    return listener_.part(Stage::Check, kSolved, 1).tell() ? Status() : aborted();
   }
 
-  Attempt bestLayout(ChartFlattener& flattener, const SolverOptions& solver) {
+  Attempt bestLayout(ChartFlattener& flattener, const SolverOptions& solver,
+                     const Listener& listener) {
     const OutlineGoal goal = outlineGoal(options_, bounds_);
-    const RefineConstraints refining{
-        options_.balance,    bounds_,     pins_,
-        solver.allowedBytes, solver.pool, [this] {
-                                  return monitor_.tellStage(Stage::Refine); }};
+    const RefineConstraints refining{options_.balance,    bounds_,     pins_,
+                                     solver.allowedBytes, solver.pool, listener};
     if (pins_.empty()) return flattenAndRefine(flattener, goal, {}, refining);
     Attempt out = flattenChart(flattener, goal);
     pin(flattener, pins_, {solver.allowedBytes, solver.pool}, out);
@@ -197,7 +169,7 @@ class Flattening {
 
   const PolygonMesh& mesh_;
   const FlattenOptions& options_;
-  Monitor monitor_;
+  const Listener listener_;
   Stopwatch watch_;
   SolverChoice choice_;
   Prepared prepared_;

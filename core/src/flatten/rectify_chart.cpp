@@ -72,7 +72,7 @@ Rectified rectified(const DiskChart& chart, const std::vector<double>& uv,
   refining.energy = Energy(options.balance);
   refining.allowedBytes = options.allowedBytes;
   refining.pool = options.pool;
-  refining.onStep = options.onStep;
+  refining.listener = options.listener;
   refining.level.edges = edgesOf(chart, found.runs);
   for (const double stiffness : {10.0, 1e4}) {
     refining.level.stiffness = stiffness;

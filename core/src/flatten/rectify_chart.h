@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "chart/disk_chart.h"
 #include "flatten/level_runs.h"
@@ -14,7 +14,7 @@ struct RectifyOptions {
   LevelLimits limits;
   std::uint64_t allowedBytes = 0;
   ThreadPool* pool = nullptr;
-  std::function<bool()> onStep;  ///< called for each step; returning false stops
+  Listener listener;  ///< told of each step
 };
 
 struct Rectified {

@@ -56,7 +56,7 @@ RefineOptions optionsFor(const ChartFlattener& flattener, const RefineConstraint
   out.eliminationRank = flattener.eliminationRank();
   out.allowedBytes = constraints.allowedBytes;
   out.pool = constraints.pool;
-  out.onStep = constraints.onStep;
+  out.listener = constraints.listener.at(Stage::Refine);
   return out;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "base/listener.h"
 #include "boundary/auto_bounds.h"
 #include "pin/pinned_layout.h"
 
@@ -14,8 +14,8 @@ struct RefineConstraints {
   std::vector<ChartPin> pins;
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   ThreadPool* pool = nullptr;
-  std::function<bool()> onStep;  ///< called for each step; returning false stops refining
-  bool mayBeRough = false;       ///< angles are only a starting point for refining
+  Listener listener;        ///< told of each step
+  bool mayBeRough = false;  ///< angles are only a starting point for refining
 };
 
 /// Flattens a chart like flattenChart(), and refines it. A free boundary that crosses itself may

@@ -192,11 +192,11 @@ std::vector<LoopId> holesOf(const SeamMesh& mesh, const CutSurface& s,
 }  // namespace
 
 void fillHoles(FillHoles mode, const IdVector<SurfaceTriangle, std::uint8_t>& isFixed,
-               SeamMesh& mesh, const Pulse& pulse) {
+               SeamMesh& mesh, const Listener& listener) {
   const bool isOpen =
       std::find(mesh.twin.begin(), mesh.twin.end(), SurfaceCorner()) != mesh.twin.end();
   if (mode == FillHoles::Never || !isOpen) return;
-  const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0), pulse);
+  const CutSurface s = cutAlong(mesh, Seams(mesh.twin.size(), 0), listener);
   const std::vector<LoopId> holes = holesOf(mesh, s, isFixed, mode);
   if (holes.empty()) return;
   const double seamCost = mode == FillHoles::Always ? kBarredCost : 0;

@@ -10,7 +10,7 @@ namespace abflat {
 /// or kBarredCost with FillHoles::Always. `isFixed`: per triangle, whether its chart is left as it
 /// is; may be empty.
 void fillHoles(FillHoles mode, const IdVector<SurfaceTriangle, std::uint8_t>& isFixed,
-               SeamMesh& mesh, const Pulse& pulse = {});
+               SeamMesh& mesh, const Listener& listener = {});
 
 /// Opens the holes that seams have reached: their rims become seams, which separates their
 /// fillings. With FillHoles::Always, only those that seams pass through, and those whose fillings

@@ -18,10 +18,11 @@ double squaredDistance(const Point2& a, const Point2& b) {
 /// goes: an ear that contains a corner contains a reflex one, which is not the next to go.
 class EarClipper {
  public:
-  EarClipper(std::vector<Point2> points, const std::vector<std::uint8_t>& keep, const Pulse& pulse)
+  EarClipper(std::vector<Point2> points, const std::vector<std::uint8_t>& keep,
+             const Listener& listener)
       : points_(std::move(points)),
         keep_(keep),
-        pulse_(pulse),
+        listener_(listener),
         n_(static_cast<std::uint32_t>(points_.size())),
         next_(n_),
         previous_(n_),
@@ -33,7 +34,7 @@ class EarClipper {
       previous_[k] = k == 0 ? n_ - 1 : k - 1;
     }
     for (std::uint32_t k = 0; k < n_; ++k) noteReflex(k);
-    for (std::uint32_t k = 0; k < n_ && pulse_.beat(kSteps); ++k) ears_.push({quality(k), k, 0});
+    for (std::uint32_t k = 0; k < n_ && listener_.beat(kSteps); ++k) ears_.push({quality(k), k, 0});
   }
 
   /// The triangles, as local corner indices.
@@ -41,7 +42,7 @@ class EarClipper {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint32_t some = 0;
     for (std::uint32_t left = n_; left > 3; --left) {
-      if (!pulse_.beat(kSteps)) return triangles;
+      if (!listener_.beat(kSteps)) return triangles;
       const std::uint32_t ear = left > 4 ? takeBest() : lastOf(takeBest());
       const std::uint32_t before = previous_[ear], after = next_[ear];
       triangles.push_back({before, ear, after});
@@ -111,7 +112,7 @@ class EarClipper {
 
   std::vector<Point2> points_;
   const std::vector<std::uint8_t>& keep_;  ///< corners that should not become ears
-  const Pulse& pulse_;
+  const Listener& listener_;
   std::uint32_t n_;
   std::vector<std::uint32_t> next_, previous_;  ///< around the remaining polygon
   std::vector<std::uint32_t> turn_;             ///< of each corner's valid entry in ears_, or kGone
@@ -124,8 +125,8 @@ class EarClipper {
 
 std::vector<std::array<std::uint32_t, 3>> clipEars(std::vector<Point2> points,
                                                    const std::vector<std::uint8_t>& keep,
-                                                   const Pulse& pulse) {
-  return EarClipper(std::move(points), keep, pulse).run();
+                                                   const Listener& listener) {
+  return EarClipper(std::move(points), keep, listener).run();
 }
 
 }  // namespace abflat

@@ -85,12 +85,12 @@ void matchDiagonals(const Triangulation& t, CornerTable& table) {
 }  // namespace
 
 CornerTable buildCornerTable(const Triangulation& triangulation, std::size_t vertexCount,
-                             const Pulse& pulse) {
+                             const Listener& listener) {
   CornerTable table;
   table.vertex = triangulation.vertex;
   table.twin.assign(table.vertex.size(), {});
   EdgeBuckets buckets = bucketEdges(triangulation, vertexCount);
-  for (std::size_t v = 0; v < vertexCount && pulse.beat(); ++v) {
+  for (std::size_t v = 0; v < vertexCount && listener.beat(); ++v) {
     EdgeEnd* first = buckets.ends.data() + buckets.offset[v];
     EdgeEnd* const last = buckets.ends.data() + buckets.offset[v + 1];
     std::sort(first, last, [](const EdgeEnd& a, const EdgeEnd& b) {

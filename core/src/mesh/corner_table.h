@@ -35,6 +35,6 @@ struct CornerTable {
 /// diagonal never becomes a non-manifold edge. Linear in the mesh apart from sorting within one
 /// vertex.
 CornerTable buildCornerTable(const Triangulation& triangulation, std::size_t vertexCount,
-                             const Pulse& pulse = {});
+                             const Listener& listener = {});
 
 }  // namespace abflat

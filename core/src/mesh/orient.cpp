@@ -76,22 +76,22 @@ struct SetSums {
 
 class Orienting {
  public:
-  Orienting(const PolygonMesh& mesh, const Pulse& pulse)
-      : faces_(mesh.faceCount()), pulse_(pulse), sets_(faces_) {
+  Orienting(const PolygonMesh& mesh, const Listener& listener)
+      : faces_(mesh.faceCount()), listener_(listener), sets_(faces_) {
     double largest = 0;
     for (const double x : mesh.positions) largest = std::max(largest, std::abs(x));
     PolygonMesh inUnits = mesh;
     const int exponent = largest > 0 ? std::ilogb(largest) : 0;
     for (double& x : inUnits.positions) x = std::ldexp(x, -exponent);
-    welded_ = weld(inUnits, true, pulse_);
-    if (pulse_.isStopped()) return;
-    triangulation_ = triangulate(welded_.mesh, pulse_);
-    if (!pulse_.isStopped())
-      table_ = buildCornerTable(triangulation_, welded_.mesh.vertexCount(), pulse_);
+    welded_ = weld(inUnits, true, listener_);
+    if (listener_.isStopped()) return;
+    triangulation_ = triangulate(welded_.mesh, listener_);
+    if (!listener_.isStopped())
+      table_ = buildCornerTable(triangulation_, welded_.mesh.vertexCount(), listener_);
   }
 
   std::vector<std::uint32_t> run() {
-    if (pulse_.isStopped() || table_.misoriented.empty()) return {};
+    if (listener_.isStopped() || table_.misoriented.empty()) return {};
     joinFaces();
     addUp();
     std::vector<std::uint32_t> out;
@@ -160,7 +160,7 @@ class Orienting {
   }
 
   const std::size_t faces_;
-  const Pulse& pulse_;
+  const Listener& listener_;
   FaceSets sets_;
   WeldedMesh welded_;
   Triangulation triangulation_;
@@ -172,8 +172,8 @@ class Orienting {
 
 std::vector<std::uint32_t> facesToTurn(const PolygonMesh& mesh,
                                        const std::function<bool()>& goesOn) {
-  const Pulse pulse(goesOn);
-  return Orienting(mesh, pulse).run();
+  const Listener listener(goesOn ? [&](const Progress&) { return goesOn(); } : ProgressCallback());
+  return Orienting(mesh, listener).run();
 }
 
 std::vector<std::uint32_t> turnedCorners(const PolygonMesh& mesh,

@@ -31,16 +31,16 @@ std::vector<std::uint32_t> sortedVertices(const PolygonMesh& mesh, std::uint32_t
   return v;
 }
 
-std::vector<Copies> findCopies(const PolygonMesh& mesh, const Pulse& pulse,
+std::vector<Copies> findCopies(const PolygonMesh& mesh, const Listener& listener,
                                std::vector<std::uint32_t>& original) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(mesh.faceCount());
-  for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f)
+  for (std::uint32_t f = 0; f < mesh.faceCount() && listener.beat(); ++f)
     keys[f] = {hashOf(mesh, f), f};
   std::vector<Copies> out;
-  if (pulse.isStopped()) return out;
+  if (listener.isStopped()) return out;
   std::sort(keys.begin(), keys.end());
   std::vector<Copies> alike;  // of one hash
-  for (std::size_t i = 0, end = 0; i < keys.size() && pulse.beat(); i = end) {
+  for (std::size_t i = 0, end = 0; i < keys.size() && listener.beat(); i = end) {
     while (end < keys.size() && keys[end].first == keys[i].first) ++end;
     if (end == i + 1) continue;
     alike.clear();
@@ -188,18 +188,18 @@ class TwoWayCopies {
 
 }  // namespace
 
-RepeatedFaces findRepeated(const PolygonMesh& mesh, const Pulse& pulse) {
+RepeatedFaces findRepeated(const PolygonMesh& mesh, const Listener& listener) {
   RepeatedFaces out;
   out.original.assign(mesh.faceCount(), kNone);
   out.layer.assign(mesh.faceCount(), 0);
-  const std::vector<Copies> all = findCopies(mesh, pulse, out.original);
+  const std::vector<Copies> all = findCopies(mesh, listener, out.original);
   const auto setLayers = [&](const Copies& copies) {
     for (std::size_t k = 0; k < copies.size(); ++k)
       out.layer[copies[k]] = static_cast<std::uint32_t>(k);
   };
   for (const Copies& copies : all) setLayers(copies);
   TwoWayCopies twoWay(mesh, all);
-  if (pulse.isStopped() || !twoWay.isAny()) return out;
+  if (listener.isStopped() || !twoWay.isAny()) return out;
   std::vector<std::uint8_t> isTwoWay(mesh.faceCount(), 0);
   for (const Copies* copies : twoWay.copies())
     for (const std::uint32_t f : *copies) isTwoWay[f] = 1;

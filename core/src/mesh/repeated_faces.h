@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 
 namespace abflat {
 
@@ -16,7 +16,7 @@ struct RepeatedFaces {
   std::vector<std::uint32_t> layer;
 };
 
-/// The result is unusable if the pulse has stopped.
-RepeatedFaces findRepeated(const PolygonMesh& mesh, const Pulse& pulse);
+/// The result is unusable if the listener has stopped.
+RepeatedFaces findRepeated(const PolygonMesh& mesh, const Listener& listener);
 
 }  // namespace abflat

@@ -137,11 +137,11 @@ void addBends(const CornerTable& table, const Components& components,
 }  // namespace
 
 Smoothed smoothNoise(const PolygonMesh& mesh, const Surface& surface, double reach,
-                     const Pulse& pulse) {
+                     const Listener& listener) {
   const CornerTable& table = surface.table;
   const Pulls pulls(surface, mesh.vertexCount());
   Smoothed out{mesh.positions, 0};
-  for (int k = 0; k < kRounds && pulse.beat(table.vertex.size()); ++k)
+  for (int k = 0; k < kRounds && listener.beat(table.vertex.size()); ++k)
     out.positions = pulled(pulls, mesh.positions, out.positions, reach);
   const Components components = findComponents(table);
   Changes changes = areaChanges(table, components, mesh.positions, out.positions);

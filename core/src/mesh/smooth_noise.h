@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "mesh/surface.h"
 
 namespace abflat {
@@ -20,6 +20,6 @@ struct Smoothed {
 /// those that are smooth, thin or have creases, those of few triangles, and those that would hardly
 /// be left.
 Smoothed smoothNoise(const PolygonMesh& mesh, const Surface& surface, double reach,
-                     const Pulse& pulse = {});
+                     const Listener& listener = {});
 
 }  // namespace abflat

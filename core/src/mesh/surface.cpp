@@ -99,20 +99,20 @@ std::int64_t cutEulerCharacteristic(const Surface& s) {
 
 }  // namespace
 
-Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse, const FineLength& fineOf) {
+Surface buildSurface(const PolygonMesh& mesh, const Listener& listener, const FineLength& fineOf) {
   Surface s;
-  s.triangulation = triangulate(mesh, pulse);
-  if (pulse.isStopped()) return {};
-  s.table = buildCornerTable(s.triangulation, mesh.vertexCount(), pulse);
+  s.triangulation = triangulate(mesh, listener);
+  if (listener.isStopped()) return {};
+  s.table = buildCornerTable(s.triangulation, mesh.vertexCount(), listener);
   if (!s.table.nonManifold.empty())
     joinStraightPairs(mesh.positions, fineOf ? fineOf(s.table) : 0, s.table);
   // Each of the following passes takes some ten nanoseconds per triangle.
-  if (!pulse.beat(s.table.vertex.size())) return {};
+  if (!listener.beat(s.table.vertex.size())) return {};
   s.fans = findFans(s.table, mesh.vertexCount());
-  if (!pulse.beat(s.table.vertex.size())) return {};
+  if (!listener.beat(s.table.vertex.size())) return {};
   s.boundaryLoops = findBoundaryLoops(s.table);
   const Components components = findComponents(s.table);
-  if (!pulse.beat(s.table.vertex.size())) return {};
+  if (!listener.beat(s.table.vertex.size())) return {};
 
   MeshSummary& m = s.summary;
   const std::size_t referenced = countReferenced(mesh);

@@ -19,13 +19,13 @@ struct Surface {
 };
 
 /// Never fails on a mesh that passes validateArrays; summary.disk says whether it can be flattened.
-/// The result is unusable if the pulse has stopped. `fineOf`: tells the length for
+/// The result is unusable if the listener has stopped. `fineOf`: tells the length for
 /// joinStraightPairs; if empty, it is 0.
 using FineLength = std::function<double(const CornerTable&)>;
-Surface buildSurface(const PolygonMesh& mesh, const Pulse& pulse = {},
+Surface buildSurface(const PolygonMesh& mesh, const Listener& listener = {},
                      const FineLength& fineOf = {});
 
-/// As without a pulse; the result is unusable if the pulse has stopped.
-MeshSummary inspect(const PolygonMesh& mesh, const Pulse& pulse);
+/// As without a listener; the result is unusable if the listener has stopped.
+MeshSummary inspect(const PolygonMesh& mesh, const Listener& listener);
 
 }  // namespace abflat

@@ -59,7 +59,7 @@ void appendTriangle(const PolygonMesh& mesh, PolygonFace f,
 
 }  // namespace
 
-Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse) {
+Triangulation triangulate(const PolygonMesh& mesh, const Listener& listener) {
   Triangulation out;
   const std::size_t triangles = mesh.faceVertices.size() - 2 * mesh.faceCount();
   out.vertex.reserve(3 * triangles);
@@ -67,7 +67,7 @@ Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse) {
   out.isDiagonal.reserve(3 * triangles);
   out.face.reserve(triangles);
   std::vector<std::uint8_t> isKept;
-  for (PolygonFace f(0); f < mesh.faceCount() && pulse.beat(); ++f) {
+  for (PolygonFace f(0); f < mesh.faceCount() && listener.beat(); ++f) {
     const std::uint32_t begin = mesh.faceOffsets[f], end = mesh.faceOffsets[f + 1], n = end - begin;
     if (n == 3) {
       appendTriangle(mesh, f, {0, 1, 2}, out);
@@ -82,7 +82,7 @@ Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse) {
       appendTriangle(mesh, f, {0, 2, 3}, out);
       continue;
     }
-    for (const auto& local : clipEars(std::move(points), keep, pulse))
+    for (const auto& local : clipEars(std::move(points), keep, listener))
       appendTriangle(mesh, f, local, out);
   }
   return out;

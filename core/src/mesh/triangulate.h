@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "mesh/ids.h"
 
 namespace abflat {
@@ -20,6 +20,6 @@ struct Triangulation {
 
 /// Convex quads are split from their first corner to the third; other faces by ear clipping in the
 /// plane of their area vector, so that concave faces keep their shape.
-Triangulation triangulate(const PolygonMesh& mesh, const Pulse& pulse = {});
+Triangulation triangulate(const PolygonMesh& mesh, const Listener& listener = {});
 
 }  // namespace abflat

@@ -125,13 +125,14 @@ double halfDiagonal(const std::vector<double>& positions) {
 
 }  // namespace
 
-Welding weldVertices(const std::vector<double>& positions, double tolerance, const Pulse& pulse) {
+Welding weldVertices(const std::vector<double>& positions, double tolerance,
+                     const Listener& listener) {
   const auto n = static_cast<std::uint32_t>(positions.size() / 3);
   Welding out;
   out.reach = 2 * tolerance * halfDiagonal(positions);
   out.ofVertex.resize(n);
   Places places(positions, out.reach);
-  for (std::uint32_t v = 0; v < n && pulse.beat(); ++v) {
+  for (std::uint32_t v = 0; v < n && listener.beat(); ++v) {
     const std::uint32_t found = places.find(v);
     out.ofVertex[v] = found == kNone ? v : found;
     if (found == kNone) {
@@ -144,13 +145,13 @@ Welding weldVertices(const std::vector<double>& positions, double tolerance, con
   return out;
 }
 
-Welding weldEqualVertices(const std::vector<double>& positions, const Pulse& pulse) {
+Welding weldEqualVertices(const std::vector<double>& positions, const Listener& listener) {
   const auto n = static_cast<std::uint32_t>(positions.size() / 3);
   Welding out;
   out.ofVertex.resize(n);
   VertexTable table(n);
   std::vector<std::uint32_t> first;  // of each place
-  for (std::uint32_t v = 0; v < n && pulse.beat(); ++v) {
+  for (std::uint32_t v = 0; v < n && listener.beat(); ++v) {
     const double* p = &positions[3 * static_cast<std::size_t>(v)];
     const std::uint32_t place = table.vertexAt(p[0], p[1], p[2]);
     if (place == first.size()) first.push_back(v);

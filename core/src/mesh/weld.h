@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 
 namespace abflat {
 
@@ -24,14 +24,14 @@ constexpr double kWeldTolerance = 1e-7;
 /// vertex joins the first one that represents others, so places never grow beyond the tolerance.
 /// Linear in the number of vertices, wherever they are. `positions` are xyz and finite.
 Welding weldVertices(const std::vector<double>& positions, double tolerance = kWeldTolerance,
-                     const Pulse& pulse = {});
+                     const Listener& listener = {});
 
 /// Merges vertices with identical coordinates.
-Welding weldEqualVertices(const std::vector<double>& positions, const Pulse& pulse = {});
+Welding weldEqualVertices(const std::vector<double>& positions, const Listener& listener = {});
 
 /// Merges vertices with identical coordinates, and others within the tolerance if the surface would
 /// be open between them. Never merges two different places of one face, so detail below the
 /// tolerance stays. Vertices that no face uses stay separate and do not affect the bounding box.
-Welding weldSurface(const PolygonMesh& mesh, const Pulse& pulse = {});
+Welding weldSurface(const PolygonMesh& mesh, const Listener& listener = {});
 
 }  // namespace abflat

@@ -23,9 +23,9 @@ class EdgeWelder {
         isSolid_(mesh.vertexCount(), 0) {}
 
   /// The first one of the merged vertices, per vertex.
-  std::vector<std::uint32_t> weld(const Pulse& pulse) && {
-    for (std::uint32_t f = 0; f < mesh_.faceCount() && pulse.beat(); ++f) look(f);
-    if (!pulse.isStopped())
+  std::vector<std::uint32_t> weld(const Listener& listener) && {
+    for (std::uint32_t f = 0; f < mesh_.faceCount() && listener.beat(); ++f) look(f);
+    if (!listener.isStopped())
       for (const std::uint32_t f : faces_) weld(f);
     return std::move(sets_).release();
   }
@@ -93,9 +93,9 @@ std::vector<std::uint32_t> joinVertices(const VertexPairs& pairs,
   return std::move(sets).release();
 }
 
-std::vector<std::uint32_t> weldEdges(const PolygonMesh& mesh, const Pulse& pulse,
+std::vector<std::uint32_t> weldEdges(const PolygonMesh& mesh, const Listener& listener,
                                      const std::vector<std::uint32_t>& place) {
-  return EdgeWelder(mesh, place).weld(pulse);
+  return EdgeWelder(mesh, place).weld(listener);
 }
 
 }  // namespace abflat

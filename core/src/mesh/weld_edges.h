@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 
 namespace abflat {
 
@@ -20,7 +20,7 @@ std::vector<std::uint32_t> joinVertices(const VertexPairs& pairs, std::vector<st
 /// * too short to be seen, if a face that is not a sliver is at both ends. A place never grows
 ///   beyond that length, so many short edges in a row stay a curve.
 /// `place` and the result: the first vertex at the same place, per vertex.
-std::vector<std::uint32_t> weldEdges(const PolygonMesh& mesh, const Pulse& pulse,
+std::vector<std::uint32_t> weldEdges(const PolygonMesh& mesh, const Listener& listener,
                                      const std::vector<std::uint32_t>& place);
 
 }  // namespace abflat

@@ -28,14 +28,18 @@ bool haveCommon(const std::vector<std::uint32_t>& a, const std::vector<std::uint
 /// Merges places that are near each other, one group at a time.
 class Merger {
  public:
-  Merger(const PolygonMesh& mesh, const Welding& near, Welding equal, const Pulse& pulse)
-      : mesh_(mesh), near_(near), equal_(std::move(equal)), pulse_(pulse), of_(equal_.ofVertex) {
+  Merger(const PolygonMesh& mesh, const Welding& near, Welding equal, const Listener& listener)
+      : mesh_(mesh),
+        near_(near),
+        equal_(std::move(equal)),
+        listener_(listener),
+        of_(equal_.ofVertex) {
     findGroups();
     findFaces();
   }
 
   Welding run() {
-    for (std::size_t i = 0, j = 0; i < grouped_.size() && pulse_.beat(); i = j) {
+    for (std::size_t i = 0, j = 0; i < grouped_.size() && listener_.beat(); i = j) {
       while (j < grouped_.size() && group(grouped_[j]) == group(grouped_[i])) ++j;
       if (j - i <= kMostPlaces) mergeGroup(&grouped_[i], &grouped_[i] + (j - i));
     }
@@ -57,7 +61,8 @@ class Merger {
   /// Finds places that have others near them, group by group.
   void findGroups() {
     std::vector<std::uint32_t> count(of_.size(), 0);
-    for (std::uint32_t v = 0; v < of_.size() && pulse_.beat(); ++v) count[group(v)] += of_[v] == v;
+    for (std::uint32_t v = 0; v < of_.size() && listener_.beat(); ++v)
+      count[group(v)] += of_[v] == v;
     std::uint32_t sum = 0;
     std::vector<std::uint32_t> begin(of_.size(), kNone);
     for (std::uint32_t g = 0; g < of_.size(); ++g) {
@@ -65,9 +70,9 @@ class Merger {
       begin[g] = sum;
       sum += count[g];
     }
-    if (pulse_.isStopped()) return;
+    if (listener_.isStopped()) return;
     grouped_.resize(sum);
-    for (std::uint32_t v = 0; v < of_.size() && pulse_.beat(); ++v)
+    for (std::uint32_t v = 0; v < of_.size() && listener_.beat(); ++v)
       if (of_[v] == v && begin[group(v)] != kNone) grouped_[begin[group(v)]++] = v;
   }
 
@@ -76,14 +81,14 @@ class Merger {
     for (const std::uint32_t v : grouped_) isGrouped[v] = 1;
     firstCorner_.assign(of_.size() + 1, 0);
     const auto corners = static_cast<std::uint32_t>(mesh_.faceVertices.size());
-    for (std::uint32_t c = 0; c < corners && pulse_.beat(); ++c)
+    for (std::uint32_t c = 0; c < corners && listener_.beat(); ++c)
       if (isGrouped[placeAt(c)]) ++firstCorner_[placeAt(c) + 1];
     for (std::size_t v = 0; v < of_.size(); ++v) firstCorner_[v + 1] += firstCorner_[v];
     cornersAt_.resize(firstCorner_.back());
     faceOfCorner_.assign(corners, 0);
-    if (pulse_.isStopped()) return;
+    if (listener_.isStopped()) return;
     std::vector<std::uint32_t> next = firstCorner_;
-    for (std::uint32_t f = 0; f < mesh_.faceCount() && pulse_.beat(); ++f)
+    for (std::uint32_t f = 0; f < mesh_.faceCount() && listener_.beat(); ++f)
       for (std::uint32_t c = mesh_.faceOffsets[f]; c < mesh_.faceOffsets[f + 1]; ++c) {
         faceOfCorner_[c] = f;
         if (isGrouped[placeAt(c)]) cornersAt_[next[placeAt(c)]++] = c;
@@ -185,7 +190,7 @@ class Merger {
   const PolygonMesh& mesh_;
   const Welding& near_;
   Welding equal_;
-  const Pulse& pulse_;
+  const Listener& listener_;
   std::vector<std::uint32_t> of_;       ///< per vertex, the one that represents its coordinates
   std::vector<std::uint32_t> grouped_;  ///< places
   std::vector<std::uint32_t> faceOfCorner_;
@@ -223,14 +228,15 @@ Welding weldUsed(const PolygonMesh& mesh, const std::vector<std::uint32_t>& used
 
 }  // namespace
 
-Welding weldSurface(const PolygonMesh& mesh, const Pulse& pulse) {
+Welding weldSurface(const PolygonMesh& mesh, const Listener& listener) {
   const std::vector<std::uint32_t> used = usedVertices(mesh);
-  Welding near =
-      weldUsed(mesh, used, [&](const auto& p) { return weldVertices(p, kWeldTolerance, pulse); });
-  if (near.isExact || pulse.isStopped()) return near;
-  Welding equal = weldUsed(mesh, used, [&](const auto& p) { return weldEqualVertices(p, pulse); });
-  if (pulse.isStopped()) return equal;
-  return Merger(mesh, near, std::move(equal), pulse).run();
+  Welding near = weldUsed(mesh, used,
+                          [&](const auto& p) { return weldVertices(p, kWeldTolerance, listener); });
+  if (near.isExact || listener.isStopped()) return near;
+  Welding equal =
+      weldUsed(mesh, used, [&](const auto& p) { return weldEqualVertices(p, listener); });
+  if (listener.isStopped()) return equal;
+  return Merger(mesh, near, std::move(equal), listener).run();
 }
 
 }  // namespace abflat

@@ -17,9 +17,9 @@ namespace abflat {
 namespace {
 
 /// Gives faces that repeat others their own vertices: one for each vertex and layer.
-void separateLayers(const Pulse& pulse, WeldedMesh& out) {
-  const RepeatedFaces repeated = findRepeated(out.mesh, pulse);
-  if (pulse.isStopped()) return;
+void separateLayers(const Listener& listener, WeldedMesh& out) {
+  const RepeatedFaces repeated = findRepeated(out.mesh, listener);
+  if (listener.isStopped()) return;
   struct Copy {
     std::uint32_t vertex, layer, corner;
   };
@@ -106,14 +106,14 @@ void addWalk(InputFace f, const std::vector<std::uint32_t>& places, const Polygo
 
 }  // namespace
 
-WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
+WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Listener& listener,
                 const VertexPairs& joined) {
   std::vector<std::uint32_t> place(mesh.vertexCount());  // per vertex the first one there
   if (byPosition)
-    place = weldSurface(mesh, pulse).ofVertex;
+    place = weldSurface(mesh, listener).ofVertex;
   else
     std::iota(place.begin(), place.end(), 0u);
-  place = weldEdges(mesh, pulse, joinVertices(joined, std::move(place)));
+  place = weldEdges(mesh, listener, joinVertices(joined, std::move(place)));
   WeldedMesh out;
   for (std::uint32_t v = 0; v < place.size(); ++v) out.mergedVertices += place[v] != v;
   out.mesh.positions = mesh.positions;
@@ -124,7 +124,7 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
   OpenedCorners opened;
   std::vector<std::uint32_t> places;
   std::vector<std::uint32_t> lastFace(mesh.vertexCount(), kNone);
-  for (std::uint32_t f = 0; f < mesh.faceCount() && pulse.beat(); ++f) {
+  for (std::uint32_t f = 0; f < mesh.faceCount() && listener.beat(); ++f) {
     bool visitsTwice = false;
     places.clear();
     for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c) {
@@ -137,8 +137,8 @@ WeldedMesh weld(const PolygonMesh& mesh, bool byPosition, const Pulse& pulse,
     else
       addFace(InputFace(f), places, mesh, out);
   }
-  if (pulse.isStopped()) return out;
-  separateLayers(pulse, out);
+  if (listener.isStopped()) return out;
+  separateLayers(listener, out);
   openCorners(opened, out.mesh);
   out.firstAtPlace.reserve(place.size());
   for (const std::uint32_t v : place) out.firstAtPlace.push_back(InputVertex(v));

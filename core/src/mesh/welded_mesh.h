@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "abflat/mesh.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "mesh/ids.h"
 #include "mesh/weld_edges.h"
 
@@ -33,8 +33,8 @@ struct WeldedMesh {
 
 /// `mesh` must have passed validateArrays. Without `byPosition`, vertices are merged only if the
 /// mesh says so, if the edge between them is too short to be seen, or if they are `joined`. The
-/// result is unusable if the pulse has stopped.
-WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true, const Pulse& pulse = {},
+/// result is unusable if the listener has stopped.
+WeldedMesh weld(const PolygonMesh& mesh, bool byPosition = true, const Listener& listener = {},
                 const VertexPairs& joined = {});
 
 }  // namespace abflat

@@ -217,7 +217,7 @@ class Packer {
   }
 
   void search() {
-    const ScaleOptions how{options_.work, options_.pool, options_.progress};
+    const ScaleOptions how{options_.work, options_.pool, options_.listener};
     ScaleSearch found = options_.rotate == Rotate::Auto
                             ? searchTidyScale(items_, grid_, taken_[0], how)
                             : searchScale(items_, grid_, taken_[0], how);
@@ -249,11 +249,7 @@ class Packer {
     PlaceOptions options;
     options.texelsPerUnit = density;
     options.mostTiles = options_.udim ? kMostTiles : 1;
-    if (options_.progress)
-      options.onPlaced = [this](std::size_t placed) {
-        return placed % 64 != 0 ||
-               options_.progress(static_cast<double>(placed) / static_cast<double>(items_.size()));
-      };
+    options.listener = options_.listener;
     PlaceSpace space;
     for (const double tidiness : {kTidiest, 0.0})
       for (const PlaceStrategy& strategy : strategiesFor(items_, tidiness)) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "abflat/generated/unwrap_options.h"
 #include "abflat/status.h"
+#include "base/listener.h"
 #include "base/parallel.h"
 
 namespace abflat {
@@ -39,8 +39,7 @@ struct PackOptions {
   /// found.
   double work = 0;
   ThreadPool* pool = nullptr;
-  /// Receives a rough 0..1 on the calling thread; returning false cancels.
-  std::function<bool(double)> progress;
+  Listener listener;  ///< once it has stopped, the status is Aborted
 };
 
 /// Where a chart goes: (u, v) -> (a u - b v + x, b u + a v + y), inside the unit square of its

@@ -50,7 +50,7 @@ class Placer {
     double missing = 0;
     for (position_ = 0; position_ < strategy_.order.size(); ++position_) {
       const std::uint32_t i = strategy_.order[position_];
-      if (options_.onPlaced && !options_.onPlaced(count)) {
+      if (!tell(count)) {
         out.fit = Fit::Cancelled;
         return out;
       }
@@ -71,6 +71,13 @@ class Placer {
   }
 
  private:
+  bool tell(std::size_t placed) const {
+    constexpr std::size_t kEvery = 64;
+    if (placed % kEvery != 0) return !options_.listener.isStopped();
+    return options_.listener.tell(static_cast<double>(placed) /
+                                  static_cast<double>(items_.size() + 1));
+  }
+
   /// No run of a footprint is longer.
   int longestRun(double side) const {
     const double cells = cellsOf(grid_, side * options_.texelsPerUnit);

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <vector>
 
+#include "base/listener.h"
 #include "pack/cover.h"
 #include "pack/footprint.h"
 #include "pack/free_map.h"
@@ -89,7 +89,7 @@ struct PlaceOptions {
   std::uint32_t mostTiles = 1;
   double mostMissing = -1;  ///< area of items that may stay without a place; negative: none may
   const PlaceStart* start = nullptr;  ///< initial state of the first tile; null: use `taken`
-  std::function<bool(std::size_t placed)> onPlaced;  ///< returning false cancels
+  Listener listener;                  ///< told now and then how many items have been placed
 };
 
 struct Placed {

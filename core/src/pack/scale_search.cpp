@@ -44,7 +44,7 @@ class Search {
     constexpr double kLeastStep = 0.8, kMostStep = 0.985;
     double scale = bounds_.guess;
     for (double most = kMostStep; attempt(scale, strategies, 0, 1) == kNone; most *= kMostStep) {
-      if (scale <= bounds_.least || isCancelled_) return false;
+      if (scale <= bounds_.least || isStopped()) return false;
       bad_ = scale;
       scale = std::max(scale * most * std::max(std::sqrt(placedShare_), kLeastStep), bounds_.least);
     }
@@ -90,11 +90,10 @@ class Search {
 
   void limitWork(double work) { work_ = work; }
 
-  bool isCancelled() const { return isCancelled_; }
-
  private:
+  bool isStopped() const { return options_.listener.isStopped(); }
   bool isOver() const {
-    return isCancelled_ || (out_.texelsPerUnit > 0 && work_ > 0 && out_.work >= work_);
+    return isStopped() || (out_.texelsPerUnit > 0 && work_ > 0 && out_.work >= work_);
   }
 
   /// A scale that should fit as well, judging by the unused height.
@@ -116,10 +115,13 @@ class Search {
 
   std::size_t attemptAtOnce(double scale, const std::vector<PlaceStrategy>& strategies,
                             std::size_t first, std::size_t count) {
-    if (isOver() || !tell(0)) return kNone;
+    if (isOver()) return kNone;
+    const Listener listener =
+        options_.listener.part(shareAfter(out_.tries), shareAfter(out_.tries + 1));
+    if (!listener.tell(0)) return kNone;
     PlaceOptions options;
     options.texelsPerUnit = scale;
-    if (count == 1) options.onPlaced = [this](std::size_t placed) { return tell(placed); };
+    options.listener = listener;
     std::vector<Placed> placed(count);
     const auto indexOf = [&](std::size_t k) { return (first + k) % strategies.size(); };
     parallelFor(options_.pool, count, [&](std::size_t k) {
@@ -147,13 +149,8 @@ class Search {
     placedShare_ = all > 0 ? before / all : 0;
   }
 
-  /// Reports how many items the current try has placed.
-  bool tell(std::size_t placed) {
-    if (!options_.progress || placed % 64 != 0) return true;
-    const double share = static_cast<double>(placed) / static_cast<double>(items_.size() + 1);
-    isCancelled_ = !options_.progress(1 - std::exp(-2 * (out_.tries + share) / usualTries_));
-    return !isCancelled_;
-  }
+  /// Of all the work, roughly.
+  double shareAfter(int tries) const { return 1 - std::exp(-2 * tries / usualTries_); }
 
   /// With this many strategies at the same scale, keeping cells is worth the memory.
   static constexpr std::size_t kLeastToKeep = 3;
@@ -169,7 +166,6 @@ class Search {
   double work_;
   double bad_ = kInfinity;  ///< the last scale that did not fit, apart from small steps up
   double placedShare_ = 0;  ///< share of the area placed by the last try that did not fit
-  bool isCancelled_ = false;
 };
 
 /// Moves the places to a grid of smaller cells, a whole number of which make up a larger one.
@@ -227,7 +223,7 @@ class WholeSearch {
     }
     searchLargeCells();
     searchRealCells();
-    if (isCancelled_ || fine_.isCancelled()) out_.best.fit = Fit::Cancelled;
+    if (options_.listener.isStopped()) out_.best.fit = Fit::Cancelled;
     return std::move(out_);
   }
 
@@ -237,8 +233,7 @@ class WholeSearch {
     // Of the work; the rest is for the real cells.
     constexpr double kUntidyShare = 0.5, kCoarseShare = 0.6;
     const PackGrid larger = coarseGrid(grid_, items_.size());
-    isCancelled_ = fine_.isCancelled();
-    if (isCancelled_ || larger.cell == grid_.cell) return;
+    if (options_.listener.isStopped() || larger.cell == grid_.cell) return;
     BitGrid takenOfLarger = taken_;
     for (int cell = grid_.cell; cell < larger.cell; cell *= 2)
       takenOfLarger = halved(takenOfLarger);
@@ -252,13 +247,12 @@ class WholeSearch {
       refine(items_, larger, grid_, out_);
       fine_.climb({again(strategies_[strategy_], out_.best.spots)}, 0, 1, fineStep_);
     }
-    isCancelled_ = coarse.isCancelled() || fine_.isCancelled();
   }
 
   void searchRealCells() {
     constexpr std::size_t kStrategies = 8;  // once the poses are chosen
     constexpr double kUntidyShare = 0.8;    // of the work
-    if (isCancelled_) return;
+    if (options_.listener.isStopped()) return;
     if (out_.texelsPerUnit > 0) {
       fine_.climb(strategies_, strategy_, std::min(strategies_.size(), kStrategies), fineStep_);
       return;
@@ -303,7 +297,6 @@ class WholeSearch {
   const double usualTries_, fineStep_;
   ScaleSearch out_;
   Search fine_;
-  bool isCancelled_ = false;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "pack/placer.h"
 
@@ -8,8 +9,7 @@ namespace abflat {
 struct ScaleOptions {
   double work = 0;  ///< see PackOptions
   ThreadPool* pool = nullptr;
-  /// Receives a rough 0..1 on the calling thread; returning false cancels.
-  std::function<bool(double)> progress;
+  Listener listener;
 };
 
 struct ScaleSearch {

@@ -22,13 +22,10 @@ std::vector<PackItem> held(const std::vector<PackItem>& items) {
   return out;
 }
 
-/// The options, with a progress from one share to another.
+/// The options for the work from one share to another.
 ScaleOptions between(double from, double to, const ScaleOptions& options) {
   ScaleOptions out = options;
-  if (options.progress)
-    out.progress = [&options, from, to](double share) {
-      return options.progress(from + (to - from) * share);
-    };
+  out.listener = options.listener.part(from, to);
   return out;
 }
 

@@ -151,7 +151,7 @@ void takeSteps(const RefineOptions& options, Objective& objective, StepModel& mo
   bool isFar = true;    // from the minimum
   double lastGain = 0;  // promised by the last step if that was taken in full
   while (out.steps < options.maxSteps && model.solves() < options.maxSolves &&
-         (!options.onStep || options.onStep())) {
+         options.listener.tell()) {
     const Expansion at =
         model.expand(objective, place.uv, isFar ? ElementCurvature::Far : ElementCurvature::Near);
     const std::optional<Direction> direction = findDirection(

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <vector>
 
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "chart/disk_chart.h"
 #include "refine/energy.h"
@@ -32,8 +32,7 @@ struct RefineOptions {
   IdVector<ChartVertex, std::uint32_t> eliminationRank;
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
-  /// Called for each step; return false to stop.
-  std::function<bool()> onStep;
+  Listener listener;           ///< told of each step
 };
 
 struct Refinement {

@@ -36,16 +36,16 @@ IdVector<CutChartId, OpenVertex> rootsOf(const SeamMesh& mesh, const CutSurface&
 }  // namespace
 
 BegunSearch beginSearch(const SeamMesh& mesh, Seams given, const SeamOptions& options,
-                        const std::vector<SurfaceCorner>& doubled, LogScale& solver,
-                        const Pulse& pulse) {
+                        const std::vector<SurfaceCorner>& doubled, LogScale& solver) {
+  const Listener& listener = options.listener;
   Seams seams = std::move(given);
   for (const SurfaceCorner h : options.first.ids())
     if (options.first[h] && mesh.twin[h].exists()) seams[h] = 1;
   const Seams before = seams;
-  const CutSurface s = cutAlong(mesh, seams, pulse);
-  const TopologyCut cut = cutToDisks(mesh, s, rootsOf(mesh, s, solver), seams, pulse);
-  openPockets(mesh, doubled, seams, pulse);
-  if (options.mirror) addImages(mesh, options.mirror, before, seams, pulse);
+  const CutSurface s = cutAlong(mesh, seams, listener);
+  const TopologyCut cut = cutToDisks(mesh, s, rootsOf(mesh, s, solver), seams, listener);
+  openPockets(mesh, doubled, seams, listener);
+  if (options.mirror) addImages(mesh, options.mirror, before, seams, listener);
   return {std::move(seams), GivenCharts(s), cut};
 }
 

@@ -17,7 +17,6 @@ struct BegunSearch {
 /// Adds options.first to the seams that are given, and cuts the charts to disks. `doubled`: see
 /// doubledEdges; `solver` is of the mesh.
 BegunSearch beginSearch(const SeamMesh& mesh, Seams given, const SeamOptions& options,
-                        const std::vector<SurfaceCorner>& doubled, LogScale& solver,
-                        const Pulse& pulse);
+                        const std::vector<SurfaceCorner>& doubled, LogScale& solver);
 
 }  // namespace abflat

@@ -18,7 +18,6 @@ struct CutInRounds {
 /// continue with only the others as soon as they make up much less than the whole.
 /// `solver` is of the mesh, and so are its `ranks`.
 CutInRounds cutInRounds(const SeamMesh& mesh, const BegunSearch& begun, const SeamOptions& options,
-                        std::unique_ptr<LogScale> solver, const EliminationRanks& ranks,
-                        const Pulse& pulse);
+                        std::unique_ptr<LogScale> solver, const EliminationRanks& ranks);
 
 }  // namespace abflat

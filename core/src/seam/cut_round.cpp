@@ -26,10 +26,11 @@ struct ChartsToCut {
   bool isKept(CutChartId c) const { return options.keepDisks && isUntouched(c); }
 };
 
-CutSurface cutOpeningHoles(const SeamMesh& mesh, FillHoles fillHoles, Seams& seams,
-                           const Pulse& pulse) {
-  CutSurface s = cutAlong(mesh, seams, pulse);
-  return openTouchedHoles(mesh, s, fillHoles, seams) ? cutAlong(mesh, seams, pulse) : s;
+CutSurface cutOpeningHoles(const SeamMesh& mesh, const SeamOptions& options, Seams& seams) {
+  CutSurface s = cutAlong(mesh, seams, options.listener);
+  return openTouchedHoles(mesh, s, options.fillHoles, seams)
+             ? cutAlong(mesh, seams, options.listener)
+             : s;
 }
 
 IdVector<CutChartId, SplitFor> splitsAsked(const ChartsToCut& charts) {
@@ -59,7 +60,7 @@ void addSlits(const ChartsToCut& charts, const CutPaths& paths, CutRound& round)
 }
 
 /// Slits and splits charts.
-void cutCharts(const ChartsToCut& charts, const Pulse& pulse, CutRound& round) {
+void cutCharts(const ChartsToCut& charts, CutRound& round) {
   const SeamMesh& mesh = charts.part.mesh();
   const CutSurface& s = charts.surface;
   const SeamOptions& options = charts.options;
@@ -69,43 +70,43 @@ void cutCharts(const ChartsToCut& charts, const Pulse& pulse, CutRound& round) {
   for (const CutChartId c : s.charts.ids())
     isWanted.push_back(split.asked[c] != SplitFor::Nothing ||
                        charts.told.stretch[c] > options.maxStretch);
-  const PathForest forest = findPaths(mesh, s, {}, isWanted, pulse);
+  const PathForest forest = findPaths(mesh, s, {}, isWanted, options.listener);
   const CutPaths paths{mesh, s, forest};
   addSlits(charts, paths, round);
-  pulse.beat(mesh.triangleCount());
-  round.splits = splitByShape(paths, round.scale, shape, split, round.seams, pulse);
+  options.listener.beat(mesh.triangleCount());
+  round.splits = splitByShape(paths, round.scale, shape, split, round.seams, options.listener);
   for (const CutChartId c : s.charts.ids())
     if (split.asked[c] != SplitFor::Nothing) round.isChanged[c] = 1;
 }
 
 /// Cuts charts like their mirror images.
-void cutImages(const PartInWork& part, const Mirror& ofWhole, const Seams& before,
-               const Pulse& pulse, CutRound& round) {
-  const Mirror mirror = part.part ? ofWhole.ofPart(*part.part) : ofWhole;
-  for (const SurfaceCorner h : addImages(part.mesh(), mirror, before, round.seams, pulse))
+void cutImages(const PartInWork& part, const SeamOptions& options, const Seams& before,
+               CutRound& round) {
+  const Mirror mirror = part.part ? options.mirror.ofPart(*part.part) : options.mirror;
+  for (const SurfaceCorner h :
+       addImages(part.mesh(), mirror, before, round.seams, options.listener))
     round.isChanged[round.surface.chartOf(h)] = 1;
 }
 
 }  // namespace
 
-CutRound cutRound(const PartInWork& part, const SeamOptions& options, const GivenCharts& given,
-                  const Pulse& pulse) {
+CutRound cutRound(const PartInWork& part, const SeamOptions& options, const GivenCharts& given) {
   const SeamMesh& mesh = part.mesh();
   Stopwatch watch;
   CutRound out;
   out.seams = part.seams;
-  out.surface = cutOpeningHoles(mesh, options.fillHoles, out.seams, pulse);
+  out.surface = cutOpeningHoles(mesh, options, out.seams);
   LogScales u = part.solver->solve(out.surface, {});
   out.solveSeconds = watch.lap();
-  if (u.empty() || !pulse.ask()) return out;
+  if (u.empty() || !options.listener.tell()) return out;
   out.scale = std::move(u);
   const ChartsToCut charts{part, options, given, out.surface,
                            predictStretch(mesh, out.surface, out.scale)};
-  pulse.beat(mesh.triangleCount());
+  options.listener.beat(mesh.triangleCount());
   out.isChanged.assign(out.surface.charts.size(), 0);
   const Seams before = options.mirror ? out.seams : Seams();
-  cutCharts(charts, pulse, out);
-  if (options.mirror) cutImages(part, options.mirror, before, pulse, out);
+  cutCharts(charts, out);
+  if (options.mirror) cutImages(part, options, before, out);
   return out;
 }
 

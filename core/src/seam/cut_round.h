@@ -24,7 +24,6 @@ struct CutRound {
 };
 
 /// Cuts each chart once more that is stretched too much, overlaps itself or has a bad shape.
-CutRound cutRound(const PartInWork& part, const SeamOptions& options, const GivenCharts& given,
-                  const Pulse& pulse);
+CutRound cutRound(const PartInWork& part, const SeamOptions& options, const GivenCharts& given);
 
 }  // namespace abflat

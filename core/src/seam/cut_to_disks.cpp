@@ -73,7 +73,7 @@ double openSphere(const CutPaths& paths, CutChartId chart, Seams& seams) {
 
 TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& s,
                        const IdVector<CutChartId, OpenVertex>& anchors, Seams& seams,
-                       const Pulse& pulse) {
+                       const Listener& listener) {
   TopologyCut cut;
   bool isAllDisks = true;
   std::vector<OpenVertex> roots;
@@ -85,7 +85,7 @@ TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& s,
       roots.push_back(anchors.empty() ? s.tail(cornerOf(chart.firstTriangle, 0)) : anchors[c]);
   }
   if (isAllDisks) return cut;
-  const PathForest forest = findPaths(mesh, s, roots, {}, pulse);
+  const PathForest forest = findPaths(mesh, s, roots, {}, listener);
   const CutPaths paths{mesh, s, forest};
   for (const CutChartId c : s.charts.ids()) {
     const bool isSphere = s.charts[c].loops == 0 && s.charts[c].euler() == 2;

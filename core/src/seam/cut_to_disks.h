@@ -16,6 +16,6 @@ struct TopologyCut {
 /// from which it is opened if it is closed; empty: any vertex.
 TopologyCut cutToDisks(const SeamMesh& mesh, const CutSurface& surface,
                        const IdVector<CutChartId, OpenVertex>& anchors, Seams& seams,
-                       const Pulse& pulse = {});
+                       const Listener& listener = {});
 
 }  // namespace abflat

@@ -22,7 +22,8 @@ void reserve(SeamPart& part, std::size_t triangles, std::size_t vertices) {
 }  // namespace
 
 SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
-                       const IdVector<CutChartId, std::uint8_t>& isWanted, const Pulse& pulse) {
+                       const IdVector<CutChartId, std::uint8_t>& isWanted,
+                       const Listener& listener) {
   SeamPart part;
   SeamMesh& m = part.mesh;
   std::size_t triangles = 0, vertices = 0;
@@ -42,7 +43,7 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     for (const SurfaceCorner h : cornersOf(f)) inPart[h] = part.wholeHalfEdge.push_back(h);
   }
   for (const SurfaceCorner h : part.wholeHalfEdge) {
-    pulse.beat();
+    listener.beat();
     const OpenVertex v = s.vertexOfCorner[h];
     const SurfaceVertex i = s.meshVertex[v];
     if (!vertex[v].exists()) {

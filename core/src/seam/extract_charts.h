@@ -65,6 +65,7 @@ struct SeamPart {
   }
 };
 SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& surface,
-                       const IdVector<CutChartId, std::uint8_t>& isWanted, const Pulse& pulse = {});
+                       const IdVector<CutChartId, std::uint8_t>& isWanted,
+                       const Listener& listener = {});
 
 }  // namespace abflat

@@ -40,13 +40,13 @@ struct PathEnd {
 class Fairer {
  public:
   Fairer(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
-         IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse)
+         IdVector<SurfaceCorner, float> width, Seams& seams, const Listener& listener)
       : mesh_(mesh),
         cost_(cost),
         width_(std::move(width)),
         farthest_(kFarthest * std::sqrt(mesh.totalArea())),
         seams_(seams),
-        pulse_(pulse),
+        listener_(listener),
         stars_(mesh),
         isFixed_(mesh.twin.size(), 0),
         isGoal_(mesh.twin.size(), 0),
@@ -71,7 +71,7 @@ class Fairer {
   bool run() {
     constexpr int kPasses = 3;
     bool isAny = false, isChanged = true;
-    for (int pass = 0; isChanged && pass < kPasses && pulse_.beat(); ++pass) {
+    for (int pass = 0; isChanged && pass < kPasses && listener_.beat(); ++pass) {
       isChanged = false;
       for (const Path& path : paths())
         if (isThere(path) && !isSettled(path)) isChanged = fair(path) || isChanged;
@@ -303,7 +303,7 @@ class Fairer {
     while (!queue.empty() && out.empty()) {
       const PathEnd top = queue.top();
       queue.pop();
-      pulse_.beat();
+      listener_.beat();
       const SurfaceVertex v = head(top.at);
       if (v == first) continue;
       if (isBlocked(v) || v == last) {
@@ -331,7 +331,7 @@ class Fairer {
   IdVector<SurfaceCorner, float> width_;
   const double farthest_;
   Seams& seams_;
-  const Pulse& pulse_;
+  const Listener& listener_;
   const Stars stars_;
   IdVector<SurfaceCorner, std::uint8_t> isFixed_;
   IdVector<SurfaceCorner, std::uint8_t> isGoal_;  ///< leaves where the open path may end
@@ -365,8 +365,8 @@ double pathCost(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cos
 }
 
 bool fairPaths(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
-               IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse) {
-  return Fairer(mesh, cost, std::move(width), seams, pulse).run();
+               IdVector<SurfaceCorner, float> width, Seams& seams, const Listener& listener) {
+  return Fairer(mesh, cost, std::move(width), seams, listener).run();
 }
 
 }  // namespace abflat

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "cut/cut_surface.h"
 
 namespace abflat {
@@ -22,6 +22,6 @@ constexpr double kLeastCost = 0.05;
 /// half-edge of a seam, how far its path may move, divided by the path's length; 0: the edge stays.
 /// False if nothing has changed.
 bool fairPaths(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& cost,
-               IdVector<SurfaceCorner, float> width, Seams& seams, const Pulse& pulse = {});
+               IdVector<SurfaceCorner, float> width, Seams& seams, const Listener& listener = {});
 
 }  // namespace abflat

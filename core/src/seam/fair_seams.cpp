@@ -32,13 +32,13 @@ class SeamFairer {
 
   bool run() {
     constexpr int kRounds = 3;
-    const CutSurface before = cutAlong(mesh_, seams_, pulse_);
+    const CutSurface before = cutAlong(mesh_, seams_, listener_);
     const Prediction was = predictStretch(mesh_, before, u_);
-    for (int left = kRounds; left > 0 && pulse_.beat(); --left) {
+    for (int left = kRounds; left > 0 && listener_.beat(); --left) {
       Seams now = seams_;
-      if (!fairPaths(mesh_, cost_, width_, now, pulse_)) return false;
+      if (!fairPaths(mesh_, cost_, width_, now, listener_)) return false;
       if (const Mirror& mirror = work_.options.mirror) now = mirrored(mesh_, mirror, now, 1);
-      const CutSurface after = cutAlong(mesh_, now, pulse_);
+      const CutSurface after = cutAlong(mesh_, now, listener_);
       LogScales u = work_.scale.solve(after, {});
       if (u.empty() || after.charts.size() != before.charts.size()) return false;
       const Prediction told = predictStretch(mesh_, after, u);
@@ -57,7 +57,7 @@ class SeamFairer {
 
  private:
   void preferHidden(double unseen) {
-    const IdVector<SurfaceTriangle, double> hidden = occlusion(mesh_, pulse_);
+    const IdVector<SurfaceTriangle, double> hidden = occlusion(mesh_, listener_);
     for (const SurfaceCorner h : cost_.ids()) {
       const SurfaceCorner o = mesh_.twin[h];
       if (!o.exists()) continue;
@@ -132,7 +132,7 @@ class SeamFairer {
 
   const SeamWork work_;
   const SeamMesh& mesh_;
-  const Pulse pulse_{[this] { return work_.goesOn(); }};
+  const Listener& listener_ = work_.options.listener;
   LogScales& u_;
   Seams& seams_;
   IdVector<SurfaceCorner, double> cost_;  ///< see fairPaths()

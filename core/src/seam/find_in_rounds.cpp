@@ -27,8 +27,7 @@ std::uint32_t chartsOnSurface(const SeamMesh& mesh, const CutSurface& s) {
 
 }  // namespace
 
-JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& options,
-                       const Pulse& pulse) {
+JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& options) {
   JoinedSeams out;
   Stopwatch watch;
   auto solver = std::make_unique<LogScale>(mesh, options.pool, options.eliminationRanks);
@@ -36,8 +35,8 @@ JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& opt
   out.given = std::move(given);
   out.ranks = solver->eliminationRanks();
   out.doubled = doubledEdges(mesh);
-  const BegunSearch begun = beginSearch(mesh, out.given, options, out.doubled, *solver, pulse);
-  CutInRounds cut = cutInRounds(mesh, begun, options, std::move(solver), out.ranks, pulse);
+  const BegunSearch begun = beginSearch(mesh, out.given, options, out.doubled, *solver);
+  CutInRounds cut = cutInRounds(mesh, begun, options, std::move(solver), out.ranks);
   out.seams = std::move(cut.seams);
   out.scale = std::move(cut.scale);
   out.solver = std::move(cut.solver);
@@ -46,7 +45,7 @@ JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& opt
   out.steps.handleLoops = begun.cut.handleLoops;
   out.steps.handleLength = begun.cut.length;
   watch.lap();
-  if (!options.isAuto || !pulse.ask()) return out;
+  if (!options.isAuto || !options.listener.tell()) return out;
   if (!out.solver) out.solver = std::make_unique<LogScale>(mesh, options.pool, out.ranks);
   out.steps.analysisSeconds += watch.lap();
   // Slits and splits are added one by one where needed; together they may be more than needed.
@@ -57,21 +56,21 @@ JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& opt
 }
 
 Seams finishJoined(const SeamMesh& mesh, JoinedSeams joined, const SeamOptions& options,
-                   const Pulse& pulse, SeamReport& report) {
+                   SeamReport& report) {
   Stopwatch watch;
   Seams& seams = joined.seams;
-  const auto goesOn = [&] { return options.isAuto && pulse.ask(); };
+  const auto goesOn = [&] { return options.isAuto && options.listener.tell(); };
   const bool isFair = goesOn() && fairSeams(workOn(mesh, options, joined));
   const bool isSolved = isFair && !makeSymmetric(workOn(mesh, options, joined));
   Seams found = seams;
   LogScales foundScale = joined.scale;
   if (goesOn()) shortenSeams(workOn(mesh, options, joined), isSolved);
   if (goesOn()) makeSymmetric(workOn(mesh, options, joined));
-  openPockets(mesh, joined.doubled, seams, pulse);
+  openPockets(mesh, joined.doubled, seams, options.listener);
   for (const SurfaceCorner h : seams.ids())
     if (seams[h]) found[h] = 1;
   const double seconds = watch.lap();
-  const CutSurface s = cutAlong(mesh, seams, pulse);
+  const CutSurface s = cutAlong(mesh, seams, options.listener);
   static_cast<SeamSteps&>(report) = joined.steps;
   report.mergeSeconds += seconds;
   report.charts = chartsOnSurface(mesh, s);
@@ -80,15 +79,13 @@ Seams finishJoined(const SeamMesh& mesh, JoinedSeams joined, const SeamOptions& 
   report.found = std::move(found);
   report.foundScale = std::move(foundScale);
   report.scale = std::move(joined.scale);
-  report.cancelled = pulse.isStopped();
   return std::move(joined.seams);
 }
 
 Seams findInRounds(const SeamMesh& mesh, Seams given, const SeamOptions& options,
                    SeamReport& report) {
-  const Pulse pulse(options.keepsOn);
-  JoinedSeams joined = findJoined(mesh, std::move(given), options, pulse);
-  return finishJoined(mesh, std::move(joined), options, pulse, report);
+  JoinedSeams joined = findJoined(mesh, std::move(given), options);
+  return finishJoined(mesh, std::move(joined), options, report);
 }
 
 }  // namespace abflat

@@ -21,12 +21,11 @@ struct JoinedSeams {
 
 /// Cuts until no chart needs it, then joins charts. `given` seams are marked on both sides. The
 /// mesh has to outlive the result.
-JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& options,
-                       const Pulse& pulse);
+JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& options);
 
 /// Redraws seams and shortens them. They are marked on both sides.
 Seams finishJoined(const SeamMesh& mesh, JoinedSeams joined, const SeamOptions& options,
-                   const Pulse& pulse, SeamReport& report);
+                   SeamReport& report);
 
 /// Both steps of a search.
 Seams findInRounds(const SeamMesh& mesh, Seams given, const SeamOptions& options,

@@ -42,8 +42,7 @@ class CreaseFinder {
     options.eliminationRanks = part.ofVertices(report.eliminationRanks);
     SeamReport own;
     const Seams found = findInRounds(part.mesh, Seams(part.mesh.twin.size(), 0), options, own);
-    report.cancelled = report.cancelled || own.cancelled;
-    if (!report.cancelled) takeCheaper(part, found, own, seams, report);
+    if (!options_.listener.isStopped()) takeCheaper(part, found, own, seams, report);
   }
 
  private:
@@ -102,8 +101,8 @@ Seams findInOrder(const SeamMesh& mesh, Seams seams, const SeamOptions& options,
   const Seams given = isNew ? seams : Seams();
   if (mesh.triangleCount() > 0) seams = findInRounds(mesh, std::move(seams), options, report);
   if (!isFree) report.asymmetry = Asymmetry::SeamsGiven;
-  if (isNew && !report.cancelled) CreaseFinder(mesh, given, options).run(seams, report);
-  if (isFree && !report.cancelled) preferSymmetric(mesh, options, seams, report);
+  if (isNew && !options.listener.isStopped()) CreaseFinder(mesh, given, options).run(seams, report);
+  if (isFree && !options.listener.isStopped()) preferSymmetric(mesh, options, seams, report);
   report.seamLength = lengthOf(mesh, seams);
   const double size = std::sqrt(mesh.totalArea());
   if (size > 0) {

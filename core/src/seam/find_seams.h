@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <vector>
 
 #include "abflat/generated/unwrap_options.h"
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "cut/cut_surface.h"
 #include "seam/mirror.h"
@@ -35,7 +35,7 @@ struct SeamOptions {
   SymmetricSeams symmetricSeams = SymmetricSeams::Auto;
   FillHoles fillHoles = FillHoles::Auto;  ///< when a hole that is filled in the mesh may be opened
   ThreadPool* pool = nullptr;             ///< results do not depend on it; null: one thread
-  std::function<bool()> keepsOn;  ///< false: stop with the seams so far, which still cut to disks
+  Listener listener;  ///< once it has stopped: the seams so far, which still cut to disks
 };
 
 /// Why seams are not symmetric, unless others are preferable.
@@ -70,9 +70,8 @@ struct SeamReport : SeamSteps {
   LogScales foundScale;               ///< `scale` before shortening
   LogScales scale;                    ///< expected log-scale
   double seconds = 0;                 ///< all of it
-  bool cancelled = false;
-  Mirror mirror;         ///< what symmetric seams are symmetric to
-  KnownSeams otherwise;  ///< the seams that symmetric ones were preferred to
+  Mirror mirror;                      ///< what symmetric seams are symmetric to
+  KnownSeams otherwise;               ///< the seams that symmetric ones were preferred to
   Asymmetry asymmetry = Asymmetry::None;
 };
 

@@ -36,9 +36,8 @@ SeamOptions withMirror(SeamOptions options, Mirror mirror) {
 
 class SymmetricFinder {
  public:
-  SymmetricFinder(const SeamMesh& mesh, const SeamOptions& options, Mirror mirror,
-                  const Pulse& pulse)
-      : mesh_(mesh), options_(withMirror(options, std::move(mirror))), pulse_(pulse), dear_(mesh) {
+  SymmetricFinder(const SeamMesh& mesh, const SeamOptions& options, Mirror mirror)
+      : mesh_(mesh), options_(withMirror(options, std::move(mirror))), dear_(mesh) {
     // Two seams instead of one are bad only where they are seen.
     constexpr double kInSight = 0.85, kDearInSight = 2;
     for (const SurfaceCorner h : mesh.corners())
@@ -48,8 +47,7 @@ class SymmetricFinder {
 
   void run(Seams& seams, SeamReport& report) {
     std::optional<FoundSymmetric> found = isForced() ? findAny(report) : findCheap(seams, report);
-    report.cancelled = pulse_.isStopped();
-    if (report.cancelled) return;
+    if (options_.listener.isStopped()) return;
     if (!found) report.asymmetry = Asymmetry::NoSeams;
     if (!found || !(isForced() || isPreferable(*found, seams, report))) return;
     KnownSeams otherwise{std::move(seams), std::move(report.found), std::move(report.scale),
@@ -71,7 +69,7 @@ class SymmetricFinder {
     for (const double broadest : {kNarrowChart, kBroadChart}) {
       for (const Seams& first : beginningsFrom(report.found, broadest)) {
         JoinedSeams joined = joinedFrom(first, report);
-        if (pulse_.isStopped()) return {};
+        if (options_.listener.isStopped()) return {};
         takeBetter(std::move(joined), best);
       }
     }
@@ -88,7 +86,7 @@ class SymmetricFinder {
     for (const double broadest : {kNarrowChart, kBroadChart}) {
       for (const Seams& first : beginningsFrom(report.found, broadest)) {
         JoinedSeams now = joinedFrom(first, report);
-        if (pulse_.isStopped()) return {};
+        if (options_.listener.isStopped()) return {};
         const double price = priceOf(dear_, now.seams, now.scale);
         const auto dearer = std::find_if(open.begin(), open.end(),
                                          [&](const auto& other) { return price < other.first; });
@@ -106,7 +104,7 @@ class SymmetricFinder {
     SeamOptions options = options_;
     options.eliminationRanks = report.eliminationRanks;
     options.first = first;
-    return findJoined(dear_, Seams(dear_.twin.size(), 0), options, pulse_);
+    return findJoined(dear_, Seams(dear_.twin.size(), 0), options);
   }
 
   /// The seams of either side with their images; charts of their own image that are narrower than
@@ -125,7 +123,7 @@ class SymmetricFinder {
   /// Finishes a search, and takes what it finds if that is symmetric and cheaper than `best`.
   void takeBetter(JoinedSeams joined, std::optional<FoundSymmetric>& best) const {
     FoundSymmetric now;
-    now.seams = finishJoined(dear_, std::move(joined), options_, pulse_, now.report);
+    now.seams = finishJoined(dear_, std::move(joined), options_, now.report);
     now.price = priceOf(mesh_, now.seams, now.report.scale);
     if (mirroredShare(mesh_, options_.mirror, now.seams) < kSymmetric) return;
     if (!best || now.price < best->price) best = std::move(now);
@@ -159,8 +157,7 @@ class SymmetricFinder {
 
   const SeamMesh& mesh_;
   const SeamOptions options_;  ///< with the mirror
-  const Pulse& pulse_;
-  SeamMesh dear_;  ///< where seams in sight cost more
+  SeamMesh dear_;              ///< where seams in sight cost more
 };
 
 }  // namespace
@@ -173,11 +170,10 @@ void preferSymmetric(const SeamMesh& mesh, const SeamOptions& options, Seams& se
   if (!isForced && report.stretch - 1 < kHardlyStretched) return;
   // A seam and its image may reach a hole from two sides, which opens it.
   if (!isForced && options.fillHoles == FillHoles::Always && !mesh.hole.empty()) return;
-  const Pulse pulse(options.keepsOn);
-  Mirror mirror = findMirror(mesh, pulse);
+  Mirror mirror = findMirror(mesh, options.listener);
   if (!mirror) report.asymmetry = Asymmetry::NoPlane;
   if (!mirror || mirroredShare(mesh, mirror, seams) > kSymmetric) return;
-  SymmetricFinder(mesh, options, std::move(mirror), pulse).run(seams, report);
+  SymmetricFinder(mesh, options, std::move(mirror)).run(seams, report);
 }
 
 }  // namespace abflat

@@ -22,7 +22,7 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
 
 /// A number per corner that tells what the surface looks like from there: each round looks one
 /// triangle farther.
-Colors colorsOf(const SeamMesh& mesh, const Pulse& pulse) {
+Colors colorsOf(const SeamMesh& mesh, const Listener& listener) {
   constexpr std::size_t kFewest = 4, kMost = 64, kWork = 1000000;
   const std::size_t rounds = std::clamp(kWork / (mesh.corners().size() + 1), kFewest, kMost);
   Colors now(mesh.corners().size(), 0), next(now.size());
@@ -37,7 +37,7 @@ Colors colorsOf(const SeamMesh& mesh, const Pulse& pulse) {
       next[h] = mixed(mixed(now[h], now[nextCorner(h)]), o.exists() ? now[o] : 0);
     }
     std::swap(now, next);
-    pulse.beat(mesh.corners().size());
+    listener.beat(mesh.corners().size());
   }
   return now;
 }
@@ -137,9 +137,9 @@ void addVertices(const SeamMesh& mesh, SeamPart& out) {
 
 }  // namespace
 
-SeamPart inGeometricOrder(const SeamMesh& mesh, const Pulse& pulse) {
+SeamPart inGeometricOrder(const SeamMesh& mesh, const Listener& listener) {
   SeamPart out;
-  for (const SurfaceCorner first : firstCorners(mesh, colorsOf(mesh, pulse)))
+  for (const SurfaceCorner first : firstCorners(mesh, colorsOf(mesh, listener)))
     addTriangle(mesh, first, out);
   addVertices(mesh, out);
   const IdVector<SurfaceCorner, SurfaceCorner> now = out.cornersInPart();

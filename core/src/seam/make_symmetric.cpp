@@ -78,7 +78,7 @@ class SymmetryMaker {
 }  // namespace
 
 bool makeSymmetric(const SeamWork& work) {
-  return work.options.mirror && work.goesOn() && SymmetryMaker(work).run();
+  return work.options.mirror && work.options.listener.tell() && SymmetryMaker(work).run();
 }
 
 }  // namespace abflat

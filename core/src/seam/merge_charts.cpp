@@ -58,8 +58,8 @@ class Merger {
     constexpr int kMostFruitless = 3;  // runs that share charts with longer ones get a turn
     std::uint32_t done = 0;
     int fruitless = 0;
-    while (work_.goesOn()) {
-      CutSurface apart = cutAlong(mesh_, seams_, pulse_);
+    while (listener_.tell()) {
+      CutSurface apart = cutAlong(mesh_, seams_, listener_);
       const std::vector<RunsTogether> runs = matching(apart);
       if (runs.empty()) break;
       const std::uint32_t now = joinWherePossible(runs, std::move(apart));
@@ -220,7 +220,7 @@ class Merger {
   std::uint32_t joinWherePossible(const std::vector<RunsTogether>& all, CutSurface apart) {
     for (const RunsTogether& together : all)
       for (const SharedRun& run : together) mark(run, false);
-    const MergeTrial trial(work_, all, std::move(apart), pulse_);
+    const MergeTrial trial(work_, all, std::move(apart), listener_);
     const SeamMesh& mesh = trial.mesh();
     IdVector<CutChartId, std::uint8_t> isDone(trial.joined().charts.size(), 0);
     std::uint32_t done = 0;
@@ -248,7 +248,7 @@ class Merger {
   const SeamMesh& mesh_;
   const SeamOptions& options_;
   const RunImages images_;
-  const Pulse pulse_{[this] { return work_.goesOn(); }};
+  const Listener& listener_ = work_.options.listener;
   LogScales& u_;
   Seams& seams_;
   const double longest_;

@@ -16,7 +16,7 @@ class MergeTrial {
  public:
   /// `all` are no seams any more in work.seams. `apart`: the surface before that.
   MergeTrial(const SeamWork& work, const std::vector<RunsTogether>& all, CutSurface apart,
-             const Pulse& pulse);
+             const Listener& listener);
 
   const SeamMesh& mesh() const { return part_ ? part_->mesh : *whole_; }
   const CutSurface& joined() const { return joined_; }
@@ -36,7 +36,7 @@ class MergeTrial {
   SurfaceCorner inTrial(SurfaceCorner h) const;
   void tryWhole(const SeamWork& work, CutSurface joined, CutSurface apart);
   void tryPart(const SeamWork& work, const std::vector<SharedRun>& runs, const CutSurface& joined,
-               const IdVector<CutChartId, std::uint8_t>& isUnion, const Pulse& pulse);
+               const IdVector<CutChartId, std::uint8_t>& isUnion, const Listener& listener);
 
   const SeamMesh* whole_;
   std::unique_ptr<SeamPart> part_;  ///< null: the whole

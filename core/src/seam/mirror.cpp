@@ -16,12 +16,12 @@ using VertexImages = IdVector<SurfaceVertex, SurfaceVertex>;
 
 /// A vertex on the plane is its own image.
 VertexImages vertexImages(const SeamMesh& mesh, const VertexCells& cells, const MirrorPlane& plane,
-                          const Pulse& pulse) {
+                          const Listener& listener) {
   VertexImages nearest;
   nearest.reserve(mesh.vertexCount());
   for (const SurfaceVertex v : mesh.vertices()) {
     nearest.push_back(cells.nearest(plane.image(placeOf(mesh, v)), kMirrorTolerance));
-    pulse.beat();
+    listener.beat();
   }
   VertexImages out(nearest.size());
   for (const SurfaceVertex v : mesh.vertices())
@@ -91,14 +91,14 @@ class EdgeFinder {
   IdVector<SurfaceVertex, std::uint32_t> degree_;
 };
 
-void findEdgeImages(const SeamMesh& mesh, const VertexImages& vertex, const Pulse& pulse,
+void findEdgeImages(const SeamMesh& mesh, const VertexImages& vertex, const Listener& listener,
                     Mirror& out) {
   const EdgeFinder finder(mesh);
   IdVector<SurfaceCorner, SurfaceCorner> found(mesh.twin.size());
   out.image.resize(mesh.twin.size());
   out.around.resize(mesh.twin.size());
   for (const SurfaceCorner h : mesh.corners()) {
-    pulse.beat();
+    listener.beat();
     const SurfaceVertex tail = vertex[mesh.tail(h)], head = vertex[mesh.head(h)];
     if (!finder.mayBeCut(h) || h > mesh.twin[h] || !tail.exists() || !head.exists()) continue;
     found[h] = finder.between(tail, head);
@@ -188,16 +188,16 @@ Mirror Mirror::ofWhole(const SeamPart& part) const {
   return out;
 }
 
-Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse) {
+Mirror findMirror(const SeamMesh& mesh, const Listener& listener) {
   constexpr double kCell = 4 * kMirrorTolerance;
   const VertexCells cells(mesh, kCell);
-  const std::optional<MirrorPlane> plane = findMirrorPlane(mesh, cells, pulse);
+  const std::optional<MirrorPlane> plane = findMirrorPlane(mesh, cells, listener);
   if (!plane) return {};
-  const VertexImages image = vertexImages(mesh, cells, *plane, pulse);
+  const VertexImages image = vertexImages(mesh, cells, *plane, listener);
   if (mirroredArea(mesh, image) < kLeastMirroredArea * mesh.totalArea()) return {};
   Mirror out;
   findSides(mesh, *plane, image, out);
-  findEdgeImages(mesh, image, pulse, out);
+  findEdgeImages(mesh, image, listener, out);
   return mirroredEdges(mesh, out.image) < kLeastMirroredEdges ? Mirror() : out;
 }
 

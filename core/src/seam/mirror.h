@@ -40,6 +40,6 @@ struct Mirror {
 };
 
 /// False if most of the mesh has no image.
-Mirror findMirror(const SeamMesh& mesh, const Pulse& pulse = {});
+Mirror findMirror(const SeamMesh& mesh, const Listener& listener = {});
 
 }  // namespace abflat

@@ -130,7 +130,7 @@ MirrorFit fitTo(const SeamMesh& mesh, const VertexCells& cells, const MirrorPlan
 }  // namespace
 
 std::optional<MirrorPlane> findMirrorPlane(const SeamMesh& mesh, const VertexCells& cells,
-                                           const Pulse& pulse) {
+                                           const Listener& listener) {
   const VertexCells targets(mesh, kFar[0], 1 + mesh.vertexCount() / kTargets);
   MirrorFit best;
   const auto fit = [&](MirrorFit from, bool isRough) {
@@ -142,7 +142,7 @@ std::optional<MirrorPlane> findMirrorPlane(const SeamMesh& mesh, const VertexCel
   for (const MirrorPlane& candidate : candidates(mesh))
     // Exactly as it is, or as a rough guess.
     for (const bool isRough : {false, true}) {
-      if (!pulse.beat(kFew)) return {};
+      if (!listener.beat(kFew)) return {};
       constexpr double kNearlyAll = 0.95;
       if (!isRough || best.share < kNearlyAll) fit({candidate, 0}, isRough);
     }

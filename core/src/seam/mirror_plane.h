@@ -25,6 +25,6 @@ struct MirrorPlane {
 /// The plane that most vertices have an image at, even if a part of the mesh has none. None if it
 /// is far from being one for most of the vertices. `cells`: of all vertices.
 std::optional<MirrorPlane> findMirrorPlane(const SeamMesh& mesh, const VertexCells& cells,
-                                           const Pulse& pulse);
+                                           const Listener& listener);
 
 }  // namespace abflat

@@ -65,7 +65,7 @@ class PatchCells {
 
 }  // namespace
 
-IdVector<SurfaceTriangle, double> occlusion(const SeamMesh& mesh, const Pulse& pulse) {
+IdVector<SurfaceTriangle, double> occlusion(const SeamMesh& mesh, const Listener& listener) {
   // A surface passes through some fifteen times the square of that many patches; the work is the
   // square of their number.
   const double wanted = 0.7 * std::sqrt(std::sqrt(static_cast<double>(mesh.triangleCount())));
@@ -85,7 +85,7 @@ IdVector<SurfaceTriangle, double> occlusion(const SeamMesh& mesh, const Pulse& p
     p.center = sum(p.center, center, mesh.area[f]);
     p.normal = sum(p.normal, normal, 1);
     p.area += mesh.area[f];
-    pulse.beat();
+    listener.beat();
   }
   for (Patch& p : patches) {
     const double size = norm(p.normal);
@@ -106,7 +106,7 @@ IdVector<SurfaceTriangle, double> occlusion(const SeamMesh& mesh, const Pulse& p
       all += from.area / (kPi * square + from.area) * (up * down / square);
     }
     hidden[i] = std::min(1.0, all);
-    pulse.beat(patches.size());
+    listener.beat(patches.size());
   }
   IdVector<SurfaceTriangle, double> out;
   out.reserve(patchOf.size());

@@ -6,8 +6,8 @@ namespace abflat {
 
 PartInWork extractPart(const PartInWork& from, const CutSurface& surface,
                        const IdVector<CutChartId, std::uint8_t>& isWanted,
-                       const EliminationRanks& ranks, ThreadPool* pool, const Pulse& pulse) {
-  auto part = std::make_unique<SeamPart>(extractCharts(from.mesh(), surface, isWanted, pulse));
+                       const EliminationRanks& ranks, ThreadPool* pool, const Listener& listener) {
+  auto part = std::make_unique<SeamPart>(extractCharts(from.mesh(), surface, isWanted, listener));
   PartInWork out;
   out.whole = from.whole;
   // What was cut before is on the part's boundary.

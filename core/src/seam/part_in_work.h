@@ -29,6 +29,6 @@ struct PartInWork {
 /// its seams. `ranks` are of the whole.
 PartInWork extractPart(const PartInWork& from, const CutSurface& surface,
                        const IdVector<CutChartId, std::uint8_t>& isWanted,
-                       const EliminationRanks& ranks, ThreadPool* pool, const Pulse& pulse);
+                       const EliminationRanks& ranks, ThreadPool* pool, const Listener& listener);
 
 }  // namespace abflat

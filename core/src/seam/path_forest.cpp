@@ -32,7 +32,7 @@ void forEachNeighbour(const CutSurface& s, OpenVertex v, Visit visit) {
 
 PathForest findPaths(const SeamMesh& mesh, const CutSurface& s,
                      const std::vector<OpenVertex>& extra,
-                     const IdVector<CutChartId, std::uint8_t>& isWanted, const Pulse& pulse) {
+                     const IdVector<CutChartId, std::uint8_t>& isWanted, const Listener& listener) {
   const std::size_t n = s.vertexCount();
   PathForest f;
   f.distance.assign(n, std::numeric_limits<double>::infinity());
@@ -54,7 +54,7 @@ PathForest findPaths(const SeamMesh& mesh, const CutSurface& s,
     queue.pop();
     const OpenVertex v = top.vertex;
     if (top.distance > f.distance[v]) continue;
-    pulse.beat();
+    listener.beat();
     forEachNeighbour(s, v, [&](SurfaceCorner h, OpenVertex w) {
       const double d = top.distance + mesh.cost[h];
       if (!(d < f.distance[w])) return;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "cut/cut_surface.h"
 
 namespace abflat {
@@ -27,12 +27,13 @@ struct PathForest {
   }
 };
 
-/// Sources are all boundary vertices and the `extra` ones (one for each closed chart). `pulse` only
-/// beats here; it cannot stop the work. `isWanted`: whether a chart needs paths; empty: all do.
+/// Sources are all boundary vertices and the `extra` ones (one for each closed chart). `listener`
+/// only beats here; it cannot stop the work. `isWanted`: whether a chart needs paths; empty: all
+/// do.
 PathForest findPaths(const SeamMesh& mesh, const CutSurface& surface,
                      const std::vector<OpenVertex>& extra,
                      const IdVector<CutChartId, std::uint8_t>& isWanted = {},
-                     const Pulse& pulse = {});
+                     const Listener& listener = {});
 
 /// A cut mesh, with paths to where it is open.
 struct CutPaths {

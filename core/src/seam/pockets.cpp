@@ -122,16 +122,16 @@ std::vector<SurfaceCorner> doubledEdges(const SeamMesh& mesh) {
 }
 
 void openPockets(const SeamMesh& mesh, const std::vector<SurfaceCorner>& doubled, Seams& seams,
-                 const Pulse& pulse) {
+                 const Listener& listener) {
   // Each round opens all pockets that are not within others.
   constexpr int kMostRounds = 20;
   for (int round = 0; round < kMostRounds && !doubled.empty(); ++round) {
-    const CutSurface s = cutAlong(mesh, seams, pulse);
+    const CutSurface s = cutAlong(mesh, seams, listener);
     const std::vector<Pocket> pockets = pocketsOf(s, doubled);
     if (pockets.empty()) return;
     IdVector<CutChartId, std::uint8_t> isWanted(s.charts.size(), 0);
     for (const Pocket& pocket : pockets) isWanted[s.chartOf(pocket.a)] = 1;
-    const PathForest forest = findPaths(mesh, s, {}, isWanted, pulse);
+    const PathForest forest = findPaths(mesh, s, {}, isWanted, listener);
     for (const Pocket& pocket : pockets)
       markPath(mesh, forest, s.tail(prevCorner(insideOf(s, pocket))), seams);
   }

@@ -14,6 +14,6 @@ std::vector<SurfaceCorner> doubledEdges(const SeamMesh& mesh);
 /// triangles around one vertex. A flat layout has no room for it, since edges are straight.
 /// `doubled`: see doubledEdges.
 void openPockets(const SeamMesh& mesh, const std::vector<SurfaceCorner>& doubled, Seams& seams,
-                 const Pulse& pulse = {});
+                 const Listener& listener = {});
 
 }  // namespace abflat

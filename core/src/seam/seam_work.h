@@ -13,8 +13,6 @@ struct SeamWork {
   LogScale& scale;  ///< of the whole mesh; may have been solved for anything
   LogScales& u;     ///< of the current charts, both before and after the work
   Seams& seams;
-
-  bool goesOn() const { return !options.keepsOn || options.keepsOn(); }
 };
 
 }  // namespace abflat

@@ -43,7 +43,7 @@ class Shortener {
         seams_(work.seams) {}
 
   void run(bool isSolved) {
-    surface_ = cutAlong(mesh_, seams_, pulse_);
+    surface_ = cutAlong(mesh_, seams_, listener_);
     if (!isSolved) {
       LogScales u = work_.scale.solve(surface_, {});
       if (u.empty()) return;
@@ -53,7 +53,7 @@ class Shortener {
     progress_.resize(surface_.charts.size());
     const std::size_t rounds =
         std::clamp(kTriangles / mesh_.triangleCount(), kFewRounds, kManyRounds);
-    for (std::size_t round = 0; round < rounds && work_.goesOn(); ++round)
+    for (std::size_t round = 0; round < rounds && listener_.tell(); ++round)
       if (!shorten()) return;
   }
 
@@ -76,7 +76,7 @@ class Shortener {
     std::vector<Choice> choices = choose();
     if (choices.empty()) return false;
     for (const Choice& choice : choices) mark(choice, false);
-    CutSurface next = cutAlong(mesh_, seams_, pulse_);
+    CutSurface next = cutAlong(mesh_, seams_, listener_);
     LogScales u = work_.scale.solve(next, {});
     // Charts stay the same, in the same order, as long as no seam between them has gone.
     if (u.empty() || next.charts.size() != surface_.charts.size()) {
@@ -100,7 +100,7 @@ class Shortener {
       return true;
     }
     // The factor must match the surface as it is now.
-    surface_ = cutAlong(mesh_, seams_, pulse_);
+    surface_ = cutAlong(mesh_, seams_, listener_);
     return !work_.scale.solve(surface_, {}).empty();
   }
 
@@ -238,7 +238,7 @@ class Shortener {
 
   const SeamWork work_;
   const SeamMesh& mesh_;
-  const Pulse pulse_{[this] { return work_.goesOn(); }};
+  const Listener& listener_ = work_.options.listener;
   const IdVector<SurfaceVertex, SurfaceCorner> outgoing_;
   LogScales& u_;
   Seams& seams_;

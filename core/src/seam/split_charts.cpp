@@ -56,9 +56,9 @@ struct Pieces {
 
 Pieces takePieces(const SeamMesh& mesh, const CutSurface& s,
                   const IdVector<CutChartId, SplitFor>& asked, const Seams& seams,
-                  const Pulse& pulse) {
+                  const Listener& listener) {
   Pieces out;
-  out.part = extractCharts(mesh, s, areAsked(asked), pulse);
+  out.part = extractCharts(mesh, s, areAsked(asked), listener);
   // What was cut before is on the part's boundary.
   for (const SurfaceCorner h : out.part.wholeHalfEdge)
     out.seams.push_back(seams[h] && s.twin[h].exists());
@@ -87,24 +87,24 @@ SplitCharts chartsToSplit(const SeamMesh& mesh, const CutSurface& s, const LogSc
 }
 
 std::uint32_t splitByShape(const CutPaths& paths, const LogScales& u, const ShapeOptions& options,
-                           SplitCharts& charts, Seams& seams, const Pulse& pulse) {
+                           SplitCharts& charts, Seams& seams, const Listener& listener) {
   std::uint32_t splits = splitOnce(paths, options, charts, seams);
   if (splits == 0) return 0;
-  Pieces now = takePieces(paths.mesh, paths.surface, charts.asked, seams, pulse);
+  Pieces now = takePieces(paths.mesh, paths.surface, charts.asked, seams, listener);
   constexpr int kMostLevels = 12;
   for (int level = 1; level < kMostLevels; ++level) {
     const SeamPart& part = now.part;
-    const CutSurface s = cutAlong(part.mesh, now.seams, pulse);
+    const CutSurface s = cutAlong(part.mesh, now.seams, listener);
     SplitCharts bad =
         chartsToSplit(part.mesh, s, part.ofVertices(u), options,
                       IdVector<CutChartId, SplitFor>(s.charts.size(), SplitFor::OverlapOrFill));
-    const PathForest forest = findPaths(part.mesh, s, {}, areAsked(bad.asked), pulse);
+    const PathForest forest = findPaths(part.mesh, s, {}, areAsked(bad.asked), listener);
     const std::uint32_t more = splitOnce({part.mesh, s, forest}, options, bad, now.seams);
     if (more == 0) break;
     splits += more;
     for (const SurfaceCorner h : now.seams.ids())
       if (now.seams[h]) seams[part.wholeHalfEdge[h]] = 1;
-    Pieces next = takePieces(part.mesh, s, bad.asked, now.seams, pulse);
+    Pieces next = takePieces(part.mesh, s, bad.asked, now.seams, listener);
     next.part.embedIn(part);
     now = std::move(next);
   }

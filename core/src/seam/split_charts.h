@@ -32,6 +32,6 @@ SplitCharts chartsToSplit(const SeamMesh& mesh, const CutSurface& surface, const
 /// covers too much of itself or too little of its convex hull. `paths` belong to these charts. Sets
 /// Nothing for charts that were not split, adds the seams and returns the number of splits.
 std::uint32_t splitByShape(const CutPaths& paths, const LogScales& u, const ShapeOptions& options,
-                           SplitCharts& charts, Seams& seams, const Pulse& pulse = {});
+                           SplitCharts& charts, Seams& seams, const Listener& listener = {});
 
 }  // namespace abflat

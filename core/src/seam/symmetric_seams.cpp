@@ -67,7 +67,7 @@ void cutAlongPlane(const SeamMesh& mesh, const Mirror& mirror, double broadest, 
 }
 
 std::vector<SurfaceCorner> addImages(const SeamMesh& mesh, const Mirror& mirror,
-                                     const Seams& before, Seams& seams, const Pulse& pulse) {
+                                     const Seams& before, Seams& seams, const Listener& listener) {
   std::vector<SurfaceCorner> added;
   Seams both = seams;
   for (const SurfaceCorner h : seams.ids()) {
@@ -79,7 +79,7 @@ std::vector<SurfaceCorner> addImages(const SeamMesh& mesh, const Mirror& mirror,
       }
     });
   }
-  if (added.empty() || !areDisks(cutAlong(mesh, both, pulse))) return {};
+  if (added.empty() || !areDisks(cutAlong(mesh, both, listener))) return {};
   seams = std::move(both);
   return added;
 }

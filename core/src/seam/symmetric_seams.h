@@ -22,6 +22,6 @@ void cutAlongPlane(const SeamMesh& mesh, const Mirror& mirror, double broadest, 
 /// Marks the images of what `seams` have more than `before`, if that leaves disks. Returns what was
 /// marked, on both sides.
 std::vector<SurfaceCorner> addImages(const SeamMesh& mesh, const Mirror& mirror,
-                                     const Seams& before, Seams& seams, const Pulse& pulse);
+                                     const Seams& before, Seams& seams, const Listener& listener);
 
 }  // namespace abflat

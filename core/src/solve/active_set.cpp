@@ -120,8 +120,8 @@ class ActiveSet {
     s_.constraintResidual = constraintResidual(problem(), rows(), lin_, options_.pool);
     for (int step = 1; step <= options_.maxSteps; ++step) {
       if (!takeStep()) break;
-      if (options_.onStep && !options_.onStep(step, s_.history.back())) {
-        s_.cancelled = true;
+      if (options_.onStep && !options_.onStep(s_.history.back())) {
+        s_.isEnded = true;
         return std::move(s_);
       }
       if (s_.converged && !raised_) return std::move(s_);

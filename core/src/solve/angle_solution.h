@@ -21,8 +21,8 @@ struct SolverOptions {
   /// Bytes that a factor may take; see makeRowSolverWithin.
   std::uint64_t allowedBytes = std::numeric_limits<std::uint64_t>::max();
   int stalledSteps = 2;  ///< the iteration ends after this many tiny steps in a row
-  /// Called after each step; return false to stop early.
-  std::function<bool(int step, const NewtonStep&)> onStep;
+  /// Called after each step; false ends the solution.
+  std::function<bool(const NewtonStep&)> onStep;
   ThreadPool* pool = nullptr;  ///< results do not depend on it; null: one thread
 };
 
@@ -37,7 +37,7 @@ struct AngleSolution {
   std::vector<NewtonStep> history;
   double constraintResidual = 0;
   bool converged = false;
-  bool cancelled = false;
+  bool isEnded = false;  ///< by onStep
   double barrierFloor =
       0;  ///< 0: by the active set; otherwise by the interior point with this floor
 };

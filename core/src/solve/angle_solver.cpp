@@ -33,8 +33,8 @@ AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
 
 AngleSolution AngleSolver::solve(const AngleSolution* start, bool isRough) {
   AngleSolution s = runActiveSet(start, isRough);
-  if (start && !s.converged && !s.cancelled) s = runActiveSet(nullptr, isRough);
-  return s.converged || s.cancelled ? s : solveWithFloor(kDefaultBarrierFloor);
+  if (start && !s.converged && !s.isEnded) s = runActiveSet(nullptr, isRough);
+  return s.converged || s.isEnded ? s : solveWithFloor(kDefaultBarrierFloor);
 }
 
 AngleSolution AngleSolver::runActiveSet(const AngleSolution* start, bool isRough) {

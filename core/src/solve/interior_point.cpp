@@ -42,8 +42,8 @@ class InteriorPoint {
       const NewtonStep now = measure(primal);
       s_.history.push_back(now);
       if (!std::isfinite(now.constraint) || !std::isfinite(now.gradient)) break;
-      if (options_.common.onStep && !options_.common.onStep(step, now)) {
-        s_.cancelled = true;
+      if (options_.common.onStep && !options_.common.onStep(now)) {
+        s_.isEnded = true;
         break;
       }
       if (isDone(now, before)) {

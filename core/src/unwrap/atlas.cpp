@@ -119,8 +119,7 @@ void fitAll(const PackedCharts& packed, const UnwrapOptions& options, Numbers nu
     for (const FlatChart& chart : packed.charts.flat) enlarged.push_back(chart.enlarged);
     const bool mayGrow = round < kMostPackings;
     if (fitToNumbers(packed, numbers, options.resolution, mayGrow) == 0) return;
-    const auto tell = [](double) { return true; };
-    if (packAll(packed, options, tell, atlas).ok()) continue;
+    if (packAll(packed, options, {}, atlas).ok()) continue;
     // The charts keep their size, and the report says so.
     for (const ChartId i : enlarged.ids()) packed.charts.flat[i].enlarged = enlarged[i];
     placeInAtlas(packed.packing, packed.charts.flat);
@@ -131,8 +130,8 @@ void fitAll(const PackedCharts& packed, const UnwrapOptions& options, Numbers nu
 
 }  // namespace
 
-Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
-               const std::function<bool(double)>& tell, AtlasReport& atlas) {
+Status packAll(const PackedCharts& packed, const UnwrapOptions& options, const Listener& listener,
+               AtlasReport& atlas) {
   PackOptions how;
   how.resolution = options.resolution;
   how.padding = options.padding;
@@ -141,7 +140,7 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
   how.udim = options.udim;
   how.unit = packed.unit;
   how.pool = &packed.pool;
-  how.progress = tell;
+  how.listener = listener;
   std::vector<PackShape> shapes = shapesOf(packed);
   how.work = packWork(shapes);
   how.fixedMayLeave = options.reuse.keepsPlaces;

@@ -1,19 +1,19 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "abflat/unwrap.h"
+#include "base/listener.h"
 #include "unwrap/packed_charts.h"
 
 namespace abflat {
 
-/// Places the charts that are not fixed in the atlas. `tell` receives the share that is done; if it
-/// returns false, the status is Aborted. Sets the packing fields of `atlas`, and leaves its fields
+/// Places the charts that are not fixed in the atlas. Once `listener` has
+/// stopped, the status is Aborted. Sets the packing fields of `atlas`, and leaves its fields
 /// about packing cuts alone.
-Status packAll(const PackedCharts& packed, const UnwrapOptions& options,
-               const std::function<bool(double)>& tell, AtlasReport& atlas);
+Status packAll(const PackedCharts& packed, const UnwrapOptions& options, const Listener& listener,
+               AtlasReport& atlas);
 
 /// Checks all charts in the atlas, rounded as the options ask or, with a note, unrounded. Charts
 /// that are too small, too thin or too close to themselves for the rounding are adjusted until they

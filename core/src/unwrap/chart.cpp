@@ -90,23 +90,21 @@ Effort effortFor(Patience patience, const DiskChart& chart, const UnwrapOptionVa
 
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
                      const ChartConstraints& constraints, Patience patience, ThreadPool& pool,
-                     const std::function<bool()>& goesOn) {
+                     const Listener& listener) {
   if (options.t == kAutoT && constraints.pins.empty() && constraints.straight.empty())
     if (std::optional<Attempt> attempt = projectPlanar(chart))
       return projectedChart(chart, *attempt);
   SolverOptions solver;
   solver.pool = &pool;
-  solver.onStep = [&](int, const NewtonStep&) { return goesOn(); };
   solver.allowedBytes = allowedBytes(options.memory);
   // The n angles that may differ from pi sum to (n - 2) pi, so a chart with few of them cannot be
   // as convex as others.
   const auto n = static_cast<double>(placesThatTurn(chart, constraints.straight));
   const double t = options.t == kAutoT ? 2 : std::max(options.t, 1 - 2 / n);
   const BoundaryBounds bounds(chart.boundary.size(), t);
-  ChartFlattener flattener(chart, solver, {true, bounds, constraints.straight},
-                           [&](Stage) { goesOn(); });
+  ChartFlattener flattener(chart, solver, {true, bounds, constraints.straight}, listener);
   const OutlineGoal goal = options.t == kAutoT ? automaticGoal(bounds) : OutlineGoal{bounds};
-  RefineConstraints refining{options.balance, bounds, {}, solver.allowedBytes, &pool, goesOn};
+  RefineConstraints refining{options.balance, bounds, {}, solver.allowedBytes, &pool, listener};
   refining.mayBeRough = true;
   const Effort effort = effortFor(patience, chart, options);
   const bool isPinned = !constraints.pins.empty();
@@ -129,7 +127,8 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   describe(chart, constraints, attempt, out);
   out.patience = patience;
   if (out.problem.empty() || isPinned || !isAnyStraight(constraints)) return out;
-  FlatChart free = flattenOne(chart, options, released(chart, constraints), patience, pool, goesOn);
+  FlatChart free =
+      flattenOne(chart, options, released(chart, constraints), patience, pool, listener);
   if (free.problem.empty()) return free;
   return out;
 }

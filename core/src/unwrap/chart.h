@@ -1,12 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "abflat/generated/unwrap_options.h"
+#include "base/listener.h"
 #include "boundary/chart_flattener.h"
 #include "chart/ids.h"
 #include "flatten/flatten_chart.h"
@@ -88,10 +88,10 @@ double areaOf(const DiskChart& chart);
 /// it has none.
 bool scaleToSurface(const DiskChart& chart, std::vector<double>& uv);
 
-/// `goesOn` is called often, from the calling thread; when it returns false, the layout is empty.
+/// Once `listener` has stopped, the layout is empty.
 FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
                      const ChartConstraints& constraints, Patience patience, ThreadPool& pool,
-                     const std::function<bool()>& goesOn);
+                     const Listener& listener);
 
 /// Decides again whether the layout is valid, from its coordinates in the atlas.
 void checkInPlace(const DiskChart& chart, FlatChart& flat);

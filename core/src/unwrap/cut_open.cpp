@@ -55,10 +55,10 @@ EliminationRanks ranksOf(const OpenSurface& open, std::size_t vertices, const Op
 }
 
 OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
-                     const UnwrapOptions& options, ThreadPool& pool,
-                     const std::function<bool()>& keepsOn, SeamReport& found) {
-  OpenSurface open = openAndFill(uncut, asked, options, Pulse(keepsOn));
-  SeamOptions toBegin = seamOptions(options, open, pool, keepsOn, variant.costs);
+                     const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
+                     SeamReport& found) {
+  OpenSurface open = openAndFill(uncut, asked, options, listener);
+  SeamOptions toBegin = seamOptions(options, open, pool, listener, variant.costs);
   // How much stretch refining leaves is only known to about a third, and cutting again takes
   // another run.
   constexpr double kShare = 0.85;
@@ -79,16 +79,15 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const Se
 /// Cuts flat regions with holes out along their creases, if that costs less than seams through
 /// them.
 void openPlates(const UncutSurface& uncut, const AskedCuts& asked, int costs,
-                const UnwrapOptions& options, ThreadPool& pool,
-                const std::function<bool()>& keepsOn, OpenSurface& open, SeamReport& found) {
+                const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
+                OpenSurface& open, SeamReport& found) {
   const Seams borders = plateBorders(open.mesh);
   if (borders.empty()) return;
   AskedCuts along = asked;
   for (const SurfaceCorner h : along.seams.ids()) along.seams[h] = along.seams[h] || borders[h];
   SeamReport report;
-  OpenSurface other = openWith(uncut, along, {costs, &open}, options, pool, keepsOn, report);
-  if (report.cancelled) found.cancelled = true;
-  const SeamOptions how = seamOptions(options, open, pool, keepsOn);
+  OpenSurface other = openWith(uncut, along, {costs, &open}, options, pool, listener, report);
+  const SeamOptions how = seamOptions(options, open, pool, listener);
   // Of symmetric seams less is known than of those that they were preferred to.
   const auto costOf = [&](const OpenSurface& x) {
     const bool isSure = x.otherwise.seams.empty();
@@ -100,7 +99,7 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, int costs,
   for (const SurfaceCorner h : borders.ids())
     if (borders[h] && !other.mesh.twin[h].exists()) ofBorders += open.mesh.cost[h] / 2;
   ofBorders /= std::sqrt(open.mesh.totalArea());
-  if (report.cancelled || !(costOf(other) + ofBorders < costOf(open))) return;
+  if (listener.isStopped() || !(costOf(other) + ofBorders < costOf(open))) return;
   open = std::move(other);
   found = std::move(report);
 }
@@ -108,13 +107,13 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, int costs,
 }  // namespace
 
 OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
-                    const UnwrapOptions& options, ThreadPool& pool,
-                    const std::function<bool()>& keepsOn, SeamSummary& summary) {
+                    const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
+                    SeamSummary& summary) {
   SeamReport found;
-  OpenSurface open = openWith(uncut, asked, variant, options, pool, keepsOn, found);
+  OpenSurface open = openWith(uncut, asked, variant, options, pool, listener, found);
   const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
-  if (options.seams.isAuto && !isSymmetric && !found.cancelled)
-    openPlates(uncut, asked, variant.costs, options, pool, keepsOn, open, found);
+  if (options.seams.isAuto && !isSymmetric && !listener.isStopped())
+    openPlates(uncut, asked, variant.costs, options, pool, listener, open, found);
   summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <functional>
-
 #include "abflat/unwrap.h"
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "unwrap/open_and_fill.h"
 
@@ -14,10 +13,10 @@ struct SeamVariant {
   const OpenSurface* before = nullptr;  ///< what another search found; null: this is the first one
 };
 
-/// Cuts the surface around what is fixed, and fills the holes of its charts. `keepsOn` as in
+/// Cuts the surface around what is fixed, and fills the holes of its charts. `listener` as in
 /// SeamOptions.
 OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
-                    const UnwrapOptions& options, ThreadPool& pool,
-                    const std::function<bool()>& keepsOn, SeamSummary& summary);
+                    const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
+                    SeamSummary& summary);
 
 }  // namespace abflat

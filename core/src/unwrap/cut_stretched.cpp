@@ -74,7 +74,7 @@ void takeOther(OpenSurface& open) {
 }  // namespace
 
 Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
-                     const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                     const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
                      OpenSurface& open) {
   const auto isAsked = [](const Stretched& chart) { return chart.stretch > 0; };
   if (std::none_of(charts.begin(), charts.end(), isAsked)) return Further::Nothing;
@@ -116,9 +116,8 @@ Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& ch
   for (const CutChartId c : s.charts.ids())
     if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
   SeamReport found;
-  const bool isAnyFound =
-      findWithin(apart, isWanted,
-                 seamOptions(options, open, pool, std::move(keepsOn), open.variant), open, found);
+  const bool isAnyFound = findWithin(
+      apart, isWanted, seamOptions(options, open, pool, listener, open.variant), open, found);
   return isAnyFound || isAnyRestored ? Further::Cut : Further::Nothing;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <functional>
-
 #include "abflat/unwrap.h"
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "unwrap/open_surface.h"
 
@@ -24,7 +23,7 @@ enum class Further : std::uint8_t {
 /// Cuts charts further that are invalid or stretched by more than `options.maxStretch`. New seams
 /// start from those found before, with a prediction corrected by the actual stretch.
 Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& charts,
-                     const UnwrapOptions& options, ThreadPool& pool, std::function<bool()> keepsOn,
+                     const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
                      OpenSurface& open);
 
 }  // namespace abflat

@@ -137,8 +137,7 @@ class CutSearch {
   /// Cuts all long charts at once, in equal parts: as long as one of them is too long for a smaller
   /// square, cutting another gains nothing. `most`: largest gain to try; parts for more than is
   /// wanted may be fewer.
-  void cutLong(const std::vector<LongChart>& charts, double most,
-               const std::function<bool()>& goesOn) {
+  void cutLong(const std::vector<LongChart>& charts, double most, const Listener& listener) {
     constexpr double kStep = 0.05;
     constexpr int kMostSteps = 80, kMostCuts = 256;
     if (!(side_ > 0)) return;
@@ -147,7 +146,7 @@ class CutSearch {
       std::vector<int> before;
       // From the smallest square on: once cuts are found, it is soon clear whether others gain
       // less.
-      for (int k = steps; k > 0 && goesOn(); --k) {
+      for (int k = steps; k > 0 && listener.tell(); --k) {
         std::vector<int> parts = partsFor(charts, side_ * portable::exp(-most * k / steps), share);
         if (parts == before) continue;
         before = std::move(parts);
@@ -160,13 +159,13 @@ class CutSearch {
   }
 
   /// Cuts where that lets the most area find a place, in ever smaller squares.
-  void cutAny(const std::function<bool()>& goesOn) {
+  void cutAny(const Listener& listener) {
     constexpr double kStep = 0.05;
     constexpr int kMostSteps = 16, kFailuresAtFirst = 3, kFailuresLater = 2;
     if (!(side_ > 0)) return;
     const int steps = std::clamp(static_cast<int>(wanted_ / kStep), 1, kMostSteps);
     int failures = 0;  // in a row
-    for (int k = 1; k <= steps && goesOn(); ++k) {
+    for (int k = 1; k <= steps && listener.tell(); ++k) {
       const double gain = wanted_ * k / steps;
       if (gain <= reached_) continue;
       if ((found_ ? tries_.fruitful : tries_.fruitless) <= 0) break;
@@ -236,7 +235,7 @@ CutMode cutModeOf(const UnwrapOptions& options, const FlatCharts& flat, std::siz
 
 CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface& open,
                                   const UnwrapOptions& options, double utilization,
-                                  const std::function<bool()>& goesOn) {
+                                  const Listener& listener) {
   constexpr double kLeast = 0.02;
   constexpr int kCells = 96, kCellsForLong = 192;  // parts of long charts are narrow
   const PackingGoal goal = goalOf(options);
@@ -258,8 +257,8 @@ CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface&
   for (const LongChart& chart : longCharts) uncut->cutAnywhere(chart);
   CutSearch search(*uncut, goal, wanted, triesFor(open));
   if (!longCharts.empty())
-    search.cutLong(longCharts, std::max(wanted, gainTo(kMostUtilization)), goesOn);
-  if (mode == CutMode::All) search.cutAny(goesOn);
+    search.cutLong(longCharts, std::max(wanted, gainTo(kMostUtilization)), listener);
+  if (mode == CutMode::All) search.cutAny(listener);
   const std::unique_ptr<PieceFitting> found = search.take();
   if (!found) return out;
   for (const SurfaceCorner h : found->cuts()) out.halfEdges.push_back(part.wholeHalfEdge[h]);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "abflat/unwrap.h"
+#include "base/listener.h"
 #include "unwrap/open_surface.h"
 #include "unwrap/packed_charts.h"
 
@@ -25,11 +25,10 @@ enum class CutMode { None, Long, All };
 CutMode cutModeOf(const UnwrapOptions& options, const FlatCharts& flat, std::size_t cuts);
 
 /// Finds cuts that are worth their length; empty if there are none. `utilization`: that of the
-/// charts without cuts. `goesOn` is called now and then; when it returns false, the result is
-/// empty.
+/// charts without cuts. If `listener` stops, the result is incomplete.
 CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface& open,
                                   const UnwrapOptions& options, double utilization,
-                                  const std::function<bool()>& goesOn);
+                                  const Listener& listener);
 
 /// Opens the surface along the cuts, and the holes that they reach.
 void addCuts(const CutsForPacking& cuts, const UnwrapOptionValues& options, OpenSurface& open);

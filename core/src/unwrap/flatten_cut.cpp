@@ -17,23 +17,21 @@
 
 namespace abflat {
 
-/// Tells how much of work in rounds is done, each of which fills a share of the bar that those
-/// before it left.
+/// Work in rounds, each of which fills a share of the bar that those before it left.
 class CutFlattener::Rounds {
  public:
-  explicit Rounds(const std::function<bool(double)>& tell) : tell_(tell) {}
+  explicit Rounds(const Listener& whole) : whole_(whole) {}
 
   void next() { ++round_; }
-  bool tell(double share) const {
-    constexpr double kFirst = 0.7;
-    return tell_(1 - std::pow(1 - kFirst, round_) * (1 - kFirst * share));
-  }
-  std::function<bool(double)> teller() const {
-    return [this](double share) { return tell(share); };
-  }
+  Listener now() const { return whole_.part(doneBefore(round_), doneBefore(round_ + 1)); }
 
  private:
-  const std::function<bool(double)>& tell_;
+  static double doneBefore(int round) {
+    constexpr double kLeft = 0.3;
+    return 1 - std::pow(kLeft, round);
+  }
+
+  const Listener& whole_;
   int round_ = 0;
 };
 
@@ -56,7 +54,7 @@ Status CutFlattener::takeChartsAnew(FlatCut& cut) const {
 }
 
 Status CutFlattener::constrain(FlatCut& cut) const {
-  with_.monitor.tellAgain();
+  with_.listener.tell();
   if (with_.isSearch) {
     cut.constraints.assign(cut.charts.set.size(), {});
     return {};
@@ -69,56 +67,56 @@ Status CutFlattener::constrain(FlatCut& cut) const {
   return {};
 }
 
-Status CutFlattener::layOut(FlatCut& cut, const std::function<bool(double)>& tell) const {
+Status CutFlattener::layOut(FlatCut& cut, const Listener& listener) const {
   if (!with_.isSearch)
     if (Status s =
             takeKnown(meshOf(cut), cut.constraints, with_.options, with_.pool, cut.charts.flat);
         !s.ok())
       return s;
-  flattenAll(cut.constraints, with_.options, with_.pool, with_.monitor, tell, cut.charts);
+  flattenAll(cut.constraints, with_.options, with_.pool, listener, cut.charts);
   return {};
 }
 
-Status CutFlattener::layOut(FlatCut& cut) const { return layOut(cut, with_.tell); }
+Status CutFlattener::layOut(FlatCut& cut) const { return layOut(cut, with_.listener); }
 
 Status CutFlattener::flatten(FlatCut& cut) const {
   constexpr int kMostRounds = 8;
   FlatCharts& flat = cut.charts.flat;
   if (Status s = layOutFixed(meshOf(cut), with_.fixed, with_.options, flat); !s.ok()) return s;
   if (Status s = checkUnpinned(cut.charts.set, cut.constraints, flat); !s.ok()) return s;
-  Rounds rounds(with_.tell);
-  if (Status s = layOut(cut, rounds.teller()); !s.ok()) return s;
+  Rounds rounds(with_.listener);
+  if (Status s = layOut(cut, rounds.now()); !s.ok()) return s;
   if (Status s = cutWhileStretched(cut, kMostRounds, rounds); !s.ok()) return s;
-  if (Status s = endSearch(cut, rounds.teller()); !s.ok()) return s;
+  if (Status s = endSearch(cut, rounds.now()); !s.ok()) return s;
   return halveRuined(cut, rounds);
 }
 
 Status CutFlattener::layOutPieces(FlatCut& cut) const {
   constexpr int kMostRounds = 3;
-  Rounds rounds(with_.tell);
-  if (Status s = layOut(cut, rounds.teller()); !s.ok()) return s;
+  Rounds rounds(with_.listener);
+  if (Status s = layOut(cut, rounds.now()); !s.ok()) return s;
   expectScale(cut.charts.set, stretchedPieces(cut.charts.flat, with_.options), with_.pool,
               cut.open);
   if (Status s = cutWhileStretched(cut, kMostRounds, rounds); !s.ok()) return s;
-  return endSearch(cut, rounds.teller());
+  return endSearch(cut, rounds.now());
 }
 
 /// Repeats as long as it helps.
 Status CutFlattener::cutWhileStretched(FlatCut& cut, int mostRounds, Rounds& rounds) const {
-  for (int k = 0; k < mostRounds && !with_.monitor.stopped(); ++k) {
+  for (int k = 0; k < mostRounds && !with_.listener.isStopped(); ++k) {
     rounds.next();
     with_.times.book(with_.stage);
-    const bool isCut = cutFurther(cut, [&] { return rounds.tell(0); });
+    const bool isCut = cutFurther(cut, rounds.now());
     with_.times.book(&UnwrapStages::seams);
-    if (!isCut || with_.monitor.stopped()) break;
+    if (!isCut || with_.listener.isStopped()) break;
     if (Status s = takeChartsAnew(cut); !s.ok()) return s;
     dropGivenUp(cut.charts.flat);
-    if (Status s = layOut(cut, rounds.teller()); !s.ok()) return s;
+    if (Status s = layOut(cut, rounds.now()); !s.ok()) return s;
   }
   return {};
 }
 
-bool CutFlattener::cutFurther(FlatCut& cut, const std::function<bool()>& goesOn) const {
+bool CutFlattener::cutFurther(FlatCut& cut, const Listener& listener) const {
   if (!canCut(with_.options)) return false;
   FlatCharts& flat = cut.charts.flat;
   IdVector<ChartId, Stretched> charts;
@@ -128,7 +126,7 @@ bool CutFlattener::cutFurther(FlatCut& cut, const std::function<bool()>& goesOn)
     charts.push_back({isAsked ? stretchOf(chart.distortion, with_.options) : 0, chart.isGivenUp()});
   }
   const Further done =
-      cutStretched(cut.charts.set, charts, with_.options, with_.pool, goesOn, cut.open);
+      cutStretched(cut.charts.set, charts, with_.options, with_.pool, listener, cut.open);
   // Charts whose layout is kept have been tried.
   for (const ChartId i : charts.ids())
     flat[i].isCutEnough |= done != Further::Replaced && charts[i].stretch > 0;
@@ -136,26 +134,26 @@ bool CutFlattener::cutFurther(FlatCut& cut, const std::function<bool()>& goesOn)
 }
 
 /// Tries more on charts for which no seam was found.
-Status CutFlattener::endSearch(FlatCut& cut, const std::function<bool(double)>& tell) const {
+Status CutFlattener::endSearch(FlatCut& cut, const Listener& listener) const {
   for (FlatChart& chart : cut.charts.flat) chart.isCutEnough = true;
-  return dropGivenUp(cut.charts.flat) ? layOut(cut, tell) : Status();
+  return dropGivenUp(cut.charts.flat) ? layOut(cut, listener) : Status();
 }
 
 /// Splits charts in two that are still far from what is asked for. A chart that cannot be split
 /// gets the layout that is always valid.
 Status CutFlattener::halveRuined(FlatCut& cut, Rounds& rounds) const {
   constexpr int kMostHalvings = 24, kMostRounds = 4;
-  for (int k = 0; canCut(with_.options) && k < kMostHalvings && !with_.monitor.stopped(); ++k) {
+  for (int k = 0; canCut(with_.options) && k < kMostHalvings && !with_.listener.isStopped(); ++k) {
     const Result<bool> isAny = halve(cut, ruinedCharts(cut.charts.flat, with_.options.maxStretch));
     if (!isAny.ok()) return isAny.status();
     if (!isAny.value()) break;
-    if (Status s = layOut(cut, rounds.teller()); !s.ok()) return s;
+    if (Status s = layOut(cut, rounds.now()); !s.ok()) return s;
     expectScale(cut.charts.set, stretchedPieces(cut.charts.flat, with_.options), with_.pool,
                 cut.open);
     if (Status s = cutWhileStretched(cut, kMostRounds, rounds); !s.ok()) return s;
-    if (Status s = endSearch(cut, rounds.teller()); !s.ok()) return s;
+    if (Status s = endSearch(cut, rounds.now()); !s.ok()) return s;
   }
-  return dropGivenUp(cut.charts.flat) ? layOut(cut, rounds.teller()) : Status();
+  return dropGivenUp(cut.charts.flat) ? layOut(cut, rounds.now()) : Status();
 }
 
 /// Splits the charts in two, and marks those that cannot be split. False if none can be.
@@ -173,7 +171,7 @@ Result<bool> CutFlattener::halveInvalid(FlatCut& cut) const {
   Result<bool> isAny = halve(cut, ruinedCharts(cut.charts.flat, HUGE_VAL));
   if (!isAny.ok() || !isAny.value()) return isAny;
   if (Status s = layOut(cut); !s.ok()) return s;
-  if (Status s = endSearch(cut, with_.tell); !s.ok()) return s;
+  if (Status s = endSearch(cut, with_.listener); !s.ok()) return s;
   return isAny;
 }
 

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <functional>
-
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "mesh/surface_map.h"
 #include "unwrap/cut_mesh.h"
 #include "unwrap/fixed.h"
 #include "unwrap/flat_cut.h"
-#include "unwrap/monitor.h"
 #include "unwrap/stage_times.h"
 
 namespace abflat {
@@ -18,12 +16,11 @@ struct FlattenSettings {
   const FixedTriangles& fixed;
   const UnwrapOptions& options;
   ThreadPool& pool;
-  Monitor& monitor;
+  Listener listener;
   StageTimes& times;
   double UnwrapStages::*stage = &UnwrapStages::solve;  ///< whose time layouts take
   /// A search for seams takes no notice of pins and of what is known, so that these change none.
   bool isSearch = false;
-  std::function<bool(double)> tell = {};  ///< receives the share that is done; false: stop
 };
 
 /// Lays out the charts of cut surfaces, and cuts them further where they are stretched too much.
@@ -66,12 +63,12 @@ class CutFlattener {
  private:
   class Rounds;
 
-  Status layOut(FlatCut& cut, const std::function<bool(double)>& tell) const;
+  Status layOut(FlatCut& cut, const Listener& listener) const;
   Status halveRuined(FlatCut& cut, Rounds& rounds) const;
   Result<bool> halve(FlatCut& cut, const IdVector<ChartId, std::uint8_t>& isAsked) const;
   Status cutWhileStretched(FlatCut& cut, int mostRounds, Rounds& rounds) const;
-  bool cutFurther(FlatCut& cut, const std::function<bool()>& goesOn) const;
-  Status endSearch(FlatCut& cut, const std::function<bool(double)>& tell) const;
+  bool cutFurther(FlatCut& cut, const Listener& listener) const;
+  Status endSearch(FlatCut& cut, const Listener& listener) const;
   CutMesh meshOf(const FlatCut& cut) const { return {with_.map, cut.charts.set}; }
 
   FlattenSettings with_;

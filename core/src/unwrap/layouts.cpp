@@ -31,9 +31,9 @@ bool namesVertices(const ChartConstraints& constraints) {
 /// Flattens a chart in an order of its own, so that its layout does not depend on the mesh's. It is
 /// measured in the mesh's order, as layouts that are taken over are.
 FlatChart flattenInOrder(const ChartSet& set, ChartId i, const UnwrapOptionValues& options,
-                         Patience patience, ThreadPool& pool, const std::function<bool()>& goesOn) {
+                         Patience patience, ThreadPool& pool, const Listener& listener) {
   IdVector<ChartVertex, ChartVertex> former;
-  FlatChart out = flattenOne(set.chartInOrder(i, former), options, {}, patience, pool, goesOn);
+  FlatChart out = flattenOne(set.chartInOrder(i, former), options, {}, patience, pool, listener);
   if (out.unpacked.empty()) return out;
   const DiskChart chart = set.chart(i);
   out.unpacked = inFormerOrder(out.unpacked, former);
@@ -47,8 +47,8 @@ FlatChart flattenInOrder(const ChartSet& set, ChartId i, const UnwrapOptionValue
 bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
 
 void flattenAll(const IdVector<ChartId, ChartConstraints>& constraints,
-                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
-                const std::function<bool(double)>& tell, LaidCharts& charts) {
+                const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
+                LaidCharts& charts) {
   constexpr double kUsualSteps = 8;  // of a chart's solver and refining, half of them
   const ChartSet& set = charts.set;
   FlatCharts& flat = charts.flat;
@@ -66,22 +66,21 @@ void flattenAll(const IdVector<ChartId, ChartConstraints>& constraints,
     if (!isKnown(i)) triangles += set.topology(i).triangleCount();
   std::atomic<std::size_t> done{0};
   parallelFor(&pool, set.size(), [&](std::size_t k) {
-    if (monitor.stopped()) return;
+    if (listener.isStopped()) return;
     const ChartId i(order[k]);
     FlatChart& out = flat[i];
     if (isKnown(i)) return;
     const std::size_t size = set.topology(i).triangleCount();
-    // Progress of all charts is reported, but only from the caller's own thread.
-    Approach steps(kUsualSteps);
-    const auto goesOn = [&] {
-      if (!pool.isOwner()) return !monitor.stopped();
-      const double own = static_cast<double>(size) * steps.next();
-      return tell((static_cast<double>(done) + own) / static_cast<double>(triangles));
+    const auto share = [&](std::size_t count) {
+      return static_cast<double>(count) / static_cast<double>(triangles);
     };
+    const std::size_t before = done;
+    const Listener ofChart =
+        listener.part(share(before), share(before + size)).approach(kUsualSteps);
     const bool isCutEnough = out.isCutEnough, isWhole = out.isWhole;
     out = namesVertices(constraints[i])
-              ? flattenOne(set.chart(i), options, constraints[i], patienceFor(i), pool, goesOn)
-              : flattenInOrder(set, i, options, patienceFor(i), pool, goesOn);
+              ? flattenOne(set.chart(i), options, constraints[i], patienceFor(i), pool, ofChart)
+              : flattenInOrder(set, i, options, patienceFor(i), pool, ofChart);
     out.isCutEnough = isCutEnough;
     out.isWhole = isWhole;
     done += size;

@@ -1,25 +1,24 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "abflat/unwrap.h"
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "unwrap/cut_mesh.h"
 #include "unwrap/laid_charts.h"
-#include "unwrap/monitor.h"
 
 namespace abflat {
 
 /// Whether charts that come out stretched too much may be cut further.
 bool canCut(const UnwrapOptions& options);
 
-/// Flattens charts that have no layout yet, and those with pins. `tell` receives the share that is
-/// done.
+/// Flattens charts that have no layout yet, and those with pins. Once `listener` has
+/// stopped, charts stay without a layout.
 void flattenAll(const IdVector<ChartId, ChartConstraints>& constraints,
-                const UnwrapOptions& options, ThreadPool& pool, const Monitor& monitor,
-                const std::function<bool(double)>& tell, LaidCharts& charts);
+                const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
+                LaidCharts& charts);
 
 /// Per chart, whether it is stretched by more than `most` and may be cut further.
 IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat,

@@ -31,7 +31,7 @@ double unitOf(const WeldedMesh& welded, const OpenSurface& open) {
 }  // namespace
 
 OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
-                        const UnwrapOptions& options, const Pulse& pulse) {
+                        const UnwrapOptions& options, const Listener& listener) {
   const Surface& surface = uncut.surface;
   const PolygonMesh& mesh = uncut.welded.mesh;
   Seams given = withBorders(asked.seams, uncut.fixed);
@@ -41,13 +41,13 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
     return makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
                         asked.scales.ofTriangle, asked.breaks, options.seamCosts, asked.upAxis,
-                        pulse);
+                        listener);
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;
   OpenSurface out;
   out.mesh = meshOf(table, fans);
-  fillHoles(options.fillHoles, uncut.fixed.isFixed, out.mesh, pulse);
+  fillHoles(options.fillHoles, uncut.fixed.isFixed, out.mesh, listener);
   if (isAny && out.mesh.hole.empty() && uncut.fixed.isFixed.empty() &&
       asked.scales.ofTriangle.empty()) {
     fans = surface.fans;

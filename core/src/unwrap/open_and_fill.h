@@ -1,7 +1,7 @@
 #pragma once
 
 #include "abflat/unwrap.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "mesh/surface.h"
 #include "seam/scale_seams.h"
 #include "unwrap/fixed.h"
@@ -29,6 +29,6 @@ struct AskedCuts {
 /// holes. Without holes the surface stays as it is, so that its elimination order does not depend
 /// on the given seams. The result's seams are those given that are not on its boundary.
 OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
-                        const UnwrapOptions& options, const Pulse& pulse);
+                        const UnwrapOptions& options, const Listener& listener);
 
 }  // namespace abflat

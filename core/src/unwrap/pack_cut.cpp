@@ -49,7 +49,7 @@ class CutPacker {
     Status s = packNow(0, mayCut ? kUncut : 1);
     if (s.ok() && mayCut) s = cutForPacking();
     if (s.ok()) s = keepPartsApart();
-    if (s.ok() && !with_.monitor.stopped()) s = fitToFile();
+    if (s.ok() && !settings_.listener.isStopped()) s = fitToFile();
     if (s.ok()) note();
     return s;
   }
@@ -69,19 +69,16 @@ class CutPacker {
 
   /// Packs, which takes the given range of the stage's progress.
   Status packNow(double from, double to) {
-    const auto tell = [&, from, to](double share) {
-      return with_.monitor.tell(kPack, from + (to - from) * share);
-    };
-    return packAll(packed(), with_.options, tell, report_.atlas);
+    return packAll(packed(), with_.options, settings_.listener.part(from, to), report_.atlas);
   }
 
   /// Cuts charts if that makes the packing so much denser that it is worth the seams; otherwise
   /// leaves them as they were.
   Status cutForPacking() {
-    const auto goesOn = [&] { return with_.monitor.tell(kPack, kUncut); };
     const CutsForPacking cuts =
-        findCutsForPacking(packed(), cut_.open, with_.options, report_.atlas.utilization, goesOn);
-    if (cuts.halfEdges.empty() || with_.monitor.stopped()) return {};
+        findCutsForPacking(packed(), cut_.open, with_.options, report_.atlas.utilization,
+                           settings_.listener.part(kUncut, kUncut));
+    if (cuts.halfEdges.empty() || settings_.listener.isStopped()) return {};
     Seams seams = seamsNow();
     const double length = seamLength(cut_.open), cost = seamCost(cut_.open);
     addCuts(cuts, with_.options, cut_.open);
@@ -90,7 +87,8 @@ class CutPacker {
     // Where they lie, their new ends need not be straight.
     if (!with_.options.straightSeams)
       takePieces(before.charts, with_.options, with_.pool, cut_.charts);
-    if (Status s = flattener_.layOutPieces(cut_); !s.ok() || with_.monitor.stopped()) return s;
+    if (Status s = flattener_.layOutPieces(cut_); !s.ok() || settings_.listener.isStopped())
+      return s;
     if (Status s = joinStretched(before); !s.ok()) return s;
     report_.atlas.packingCuts = static_cast<int>(cut_.charts.set.size() - before.charts.set.size());
     report_.atlas.packingCutLength = seamLength(cut_.open) - length;
@@ -119,13 +117,15 @@ class CutPacker {
   /// Cuts charts whose parts are too near each other, and packs again, unless that does not fit.
   Status keepPartsApart() {
     constexpr int kMostRounds = 4;
-    for (int k = 0; k < kMostRounds && canCut(with_.options) && !with_.monitor.stopped(); ++k) {
+    for (int k = 0; k < kMostRounds && canCut(with_.options) && !settings_.listener.isStopped();
+         ++k) {
       Seams seams = seamsNow();
       if (!cutBetween(cut_.charts, nearParts(), with_.options, cut_.open)) break;
       PackedState before = takeState(std::move(seams));
       if (Status s = flattener_.takeChartsAnew(cut_, before.charts); !s.ok()) return s;
       takePieces(before.charts, with_.options, with_.pool, cut_.charts);
-      if (Status s = flattener_.layOutPieces(cut_); !s.ok() || with_.monitor.stopped()) return s;
+      if (Status s = flattener_.layOutPieces(cut_); !s.ok() || settings_.listener.isStopped())
+        return s;
       Status packed = packNow(1, 1);
       if (packed.code == StatusCode::AtlasTooSmall) return restore(before);
       if (!packed.ok()) return packed;
@@ -140,7 +140,7 @@ class CutPacker {
   /// are packed again.
   Status fitToFile() {
     constexpr int kMostSplits = 6;
-    for (int k = 0; !with_.monitor.stopped(); ++k) {
+    for (int k = 0; !settings_.listener.isStopped(); ++k) {
       std::vector<std::string> notes = checkAll(packed(), with_.options, report_.atlas);
       Result<bool> isSplit = false;
       if (k < kMostSplits && canCut(with_.options)) isSplit = flattener_.halveInvalid(cut_);

@@ -13,6 +13,7 @@ struct PackSettings {
   std::size_t upAxis;
   /// Of the welded mesh, if that has others meanwhile; otherwise empty.
   const std::vector<double>& truePositions;
+  Listener listener;  ///< of packing
 };
 
 /// Packs the charts, cuts them where that is worth its seams, and rounds the atlas as its file

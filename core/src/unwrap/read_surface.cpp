@@ -11,14 +11,14 @@
 namespace abflat {
 namespace {
 
-/// Nothing is built once the pulse has stopped.
+/// Nothing is built once the listener has stopped.
 void weldAndBuild(const PolygonMesh& mesh, bool byPosition, const VertexPairs& joined,
-                  const UnwrapOptions& options, double unit, const Pulse& pulse,
+                  const UnwrapOptions& options, double unit, const Listener& listener,
                   WeldedSurface& out) {
-  if (pulse.isStopped()) return;
-  out.welded = weld(mesh, byPosition, pulse, joined);
-  if (pulse.isStopped()) return;
-  out.surface = buildSurface(out.welded.mesh, pulse, [&](const CornerTable& table) {
+  if (listener.isStopped()) return;
+  out.welded = weld(mesh, byPosition, listener, joined);
+  if (listener.isStopped()) return;
+  out.surface = buildSurface(out.welded.mesh, listener, [&](const CornerTable& table) {
     return fineLength(out.welded, table, options, unit);
   });
 }
@@ -26,19 +26,19 @@ void weldAndBuild(const PolygonMesh& mesh, bool byPosition, const VertexPairs& j
 }  // namespace
 
 Result<WeldedSurface> readSurface(const PolygonMesh& input, const UnwrapOptions& options,
-                                  double unit, const Pulse& pulse, UnwrapReport& report) {
+                                  double unit, const Listener& listener, UnwrapReport& report) {
   WeldedSurface out;
   PolygonMesh inUnits = input;
   for (double& x : inUnits.positions) x /= unit;
-  report.input = inspect(inUnits, pulse);
+  report.input = inspect(inUnits, listener);
   // A disk may be one because it has been cut, so it is not welded, except at poles that are open
   // because each face has its own vertex there.
   const bool isDisk = report.input.disk.ok();
-  weldAndBuild(inUnits, !isDisk, {}, options, unit, pulse, out);
-  if (isDisk && !pulse.isStopped())
+  weldAndBuild(inUnits, !isDisk, {}, options, unit, listener, out);
+  if (isDisk && !listener.isStopped())
     if (const VertexPairs notches = findNotches(out.welded.mesh, out.surface); !notches.empty())
-      weldAndBuild(inUnits, false, notches, options, unit, pulse, out);
-  if (pulse.isStopped()) return out;
+      weldAndBuild(inUnits, false, notches, options, unit, listener, out);
+  if (listener.isStopped()) return out;
   if (out.surface.table.vertex.empty())
     return Status{StatusCode::EmptyMesh, "every face has fewer than three distinct corners"};
   report.repair = repairReport({input, out.welded, out.surface});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "abflat/unwrap.h"
-#include "base/pulse.h"
+#include "base/listener.h"
 #include "mesh/surface_map.h"
 
 namespace abflat {
@@ -12,9 +12,9 @@ struct WeldedSurface {
   Surface surface;
 };
 
-/// `unit`: what a length of 1 is to be in the mesh. A pulse that has stopped leaves nothing to be
-/// used. Sets what the report says of the input. Errors: EmptyMesh.
+/// `unit`: what a length of 1 is to be in the mesh. A listener that has stopped leaves nothing to
+/// be used. Sets what the report says of the input. Errors: EmptyMesh.
 Result<WeldedSurface> readSurface(const PolygonMesh& input, const UnwrapOptions& options,
-                                  double unit, const Pulse& pulse, UnwrapReport& report);
+                                  double unit, const Listener& listener, UnwrapReport& report);
 
 }  // namespace abflat

@@ -83,7 +83,7 @@ void rectifyOne(const ChartSet& set, ChartId i, const UnwrapOptions& options, Re
 }  // namespace
 
 void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool,
-                const std::function<bool()>& goesOn, LaidCharts& charts) {
+                const Listener& listener, LaidCharts& charts) {
   const bool isFree = options.t == kAutoT && !options.straightSeams && options.balance > 0;
   if (options.rectify == Rectify::Never || !isFree) return;
   RectifyOptions how;
@@ -93,7 +93,7 @@ void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool,
   double area = 0;
   for (const FlatChart& chart : charts.flat) area += chart.area;
   const double density = expectedDensity(options, area, unit);
-  how.onStep = [&] { return !pool.isOwner() || goesOn(); };
+  how.listener = listener;
   parallelFor(&pool, charts.set.size(), [&](std::size_t k) {
     const ChartId i(k);
     if (isAsked(charts.flat[i], options.rectify))

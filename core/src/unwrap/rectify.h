@@ -1,8 +1,7 @@
 #pragma once
 
-#include <functional>
-
 #include "abflat/unwrap.h"
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "unwrap/laid_charts.h"
 
@@ -12,6 +11,6 @@ namespace abflat {
 /// than the bound. Charts that are exact, pinned, given or asked to be straight stay as they are.
 /// `unit`: that of the charts, in the mesh's.
 void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool,
-                const std::function<bool()>& goesOn, LaidCharts& charts);
+                const Listener& listener, LaidCharts& charts);
 
 }  // namespace abflat

@@ -1,14 +1,12 @@
 #include "unwrap/seam_options.h"
 
-#include <utility>
-
 #include "refine/refine.h"
 #include "unwrap/expected_density.h"
 
 namespace abflat {
 
 SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, ThreadPool& pool,
-                        std::function<bool()> keepsOn, int variant) {
+                        const Listener& listener, int variant) {
   SeamOptions out;
   out.variant = variant;
   out.isAuto = options.seams.isAuto;
@@ -21,7 +19,7 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   if (options.udim)  // each chart has to fit a tile
     out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
   out.pool = &pool;
-  out.keepsOn = std::move(keepsOn);
+  out.listener = listener;
   return out;
 }
 

@@ -18,11 +18,10 @@ Status cutAgain(const SearchInput& input, const SeamVariant& variant, const CutF
   const FlattenSettings& with = flattener.settings();
   SeamSummary summary;  // that of the first search holds
   with.times.book(&UnwrapStages::solve);
-  cut.open = cutOpen(
-      input.uncut, input.asked, variant, with.options, with.pool,
-      [&] { return with.monitor.tellAgain(); }, summary);
+  cut.open =
+      cutOpen(input.uncut, input.asked, variant, with.options, with.pool, with.listener, summary);
   with.times.book(&UnwrapStages::seams);
-  if (with.monitor.stopped()) return {};
+  if (with.listener.isStopped()) return {};
   if (Status s = flattener.takeCharts(cut); !s.ok()) return s;
   return flattener.flatten(cut);
 }
@@ -37,7 +36,7 @@ Status tryOthers(const SearchInput& input, const std::vector<int>& variants,
     if (fruitless >= kMostFruitless) break;
     FlatCut other;
     if (Status s = cutAgain(input, {variant, &best.open}, flattener, other); !s.ok()) return s;
-    if (with.monitor.stopped()) break;
+    if (with.listener.isStopped()) break;
     const bool isBetter = takeBetter(input.uncut.welded, with.options, best, other);
     if (!isForFront(variant)) fruitless = isBetter ? 0 : fruitless + 1;
   }
@@ -49,13 +48,13 @@ Status joinSmall(const CutFlattener& flattener, FlatCut& cut) {
   constexpr int kMostRounds = 6;
   const FlattenSettings& with = flattener.settings();
   SmallCharts small;
-  for (int k = 0; k < kMostRounds && canCut(with.options) && !with.monitor.stopped(); ++k) {
+  for (int k = 0; k < kMostRounds && canCut(with.options) && !with.listener.isStopped(); ++k) {
     const Seams seams = small.join(cut.charts, with.options, cut.open);
     if (seams.empty()) break;
     LaidCharts before;
     if (Status s = flattener.takeChartsAnew(cut, before); !s.ok()) return s;
     if (Status s = flattener.layOut(cut); !s.ok()) return s;
-    if (with.monitor.stopped()) break;
+    if (with.listener.isStopped()) break;
     const IdVector<ChartId, std::uint8_t> isRefused =
         small.refused(before, cut.charts, with.options, cut.open.mirror);
     if (Status s = flattener.takeBack(before, isRefused, seams, cut); !s.ok()) return s;
@@ -87,7 +86,7 @@ Status searchMore(const SearchInput& input, const std::vector<int>& variants,
   const CutFlattener flattener(std::move(searching));
   if (Status s = tryOthers(input, variants, flattener, cut); !s.ok()) return s;
   if (Status s = joinSmall(flattener, cut); !s.ok()) return s;
-  return settings.monitor.stopped() ? Status() : layOutAsAsked(CutFlattener(settings), cut);
+  return settings.listener.isStopped() ? Status() : layOutAsAsked(CutFlattener(settings), cut);
 }
 
 }  // namespace abflat

@@ -4,7 +4,7 @@
 
 #include "abflat/orient.h"
 #include "base/counted.h"
-#include "unwrap/monitor.h"
+#include "unwrap/stage_span.h"
 
 namespace abflat {
 namespace {
@@ -27,14 +27,14 @@ std::string orientationNote(const RepairReport& repair, bool isOriented) {
 }
 
 Result<UnwrapResult> unwrapTurned(const PolygonMesh& mesh, const UnwrapOptions& options,
-                                  UnwrapMesh unwrapAsItIs) {
-  Monitor monitor(options.progress);
-  std::vector<std::uint32_t> faces = facesToTurn(mesh, [&] { return monitor.tell(kSurface); });
-  if (monitor.stopped()) return Status{StatusCode::Aborted, "cancelled"};
-  if (faces.empty()) return unwrapAsItIs(mesh, options);
+                                  const Listener& listener, UnwrapMesh unwrapAsItIs) {
+  std::vector<std::uint32_t> faces =
+      facesToTurn(mesh, [&] { return kSurface.of(listener).tell(); });
+  if (listener.isStopped()) return Status{StatusCode::Aborted, "cancelled"};
+  if (faces.empty()) return unwrapAsItIs(mesh, options, listener);
   PolygonMesh turned = mesh;
   turnFaces(faces, turned);
-  Result<UnwrapResult> result = unwrapAsItIs(turned, options);
+  Result<UnwrapResult> result = unwrapAsItIs(turned, options, listener);
   if (!result.ok()) return result;
   reorderCorners(turnedCorners(mesh, faces), result.value());
   result.value().report.repair.turnedFaces = std::move(faces);

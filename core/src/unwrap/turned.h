@@ -3,16 +3,18 @@
 #include <string>
 
 #include "abflat/unwrap.h"
+#include "base/listener.h"
 
 namespace abflat {
 
 /// What to do about neighbours that run in opposite directions; empty if there are none.
 std::string orientationNote(const RepairReport& repair, bool isOriented);
 
-using UnwrapMesh = Result<UnwrapResult> (*)(const PolygonMesh&, const UnwrapOptions&);
+using UnwrapMesh = Result<UnwrapResult> (*)(const PolygonMesh&, const UnwrapOptions&,
+                                            const Listener&);
 
 /// Turns faces of a copy, if necessary, and unwraps that. The result refers to the mesh itself.
 Result<UnwrapResult> unwrapTurned(const PolygonMesh& mesh, const UnwrapOptions& options,
-                                  UnwrapMesh unwrapAsItIs);
+                                  const Listener& listener, UnwrapMesh unwrapAsItIs);
 
 }  // namespace abflat

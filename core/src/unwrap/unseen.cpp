@@ -32,9 +32,9 @@ double fineLength(const WeldedMesh& welded, const CornerTable& table, const Unwr
 }
 
 Smoothed withoutUnseen(const WeldedMesh& welded, const Surface& surface,
-                       const UnwrapOptions& options, double unit, const Pulse& pulse) {
+                       const UnwrapOptions& options, double unit, const Listener& listener) {
   const double reach = kUnseenTexels * texelOn(welded, surface.table, options, unit);
-  return smoothNoise(welded.mesh, surface, reach, pulse);
+  return smoothNoise(welded.mesh, surface, reach, listener);
 }
 
 std::string unseenNote(const Smoothed& smoothed) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "abflat/unwrap.h"
+#include "base/listener.h"
 #include "base/parallel.h"
-#include "base/pulse.h"
 #include "chart/chart_set.h"
 #include "mesh/smooth_noise.h"
 #include "mesh/surface.h"
@@ -20,7 +20,7 @@ double fineLength(const WeldedMesh& welded, const CornerTable& table, const Unwr
 /// seams. Nothing is smoothed where parts of the mesh have texcoords already. `unit`: of the welded
 /// mesh, in units of the input.
 Smoothed withoutUnseen(const WeldedMesh& welded, const Surface& surface,
-                       const UnwrapOptions& options, double unit, const Pulse& pulse);
+                       const UnwrapOptions& options, double unit, const Listener& listener);
 
 /// Empty if nothing is smoothed.
 std::string unseenNote(const Smoothed& smoothed);

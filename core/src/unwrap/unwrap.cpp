@@ -8,6 +8,7 @@
 #include "abflat/peak_memory.h"
 #include "base/free_memory.h"
 #include "base/guarded.h"
+#include "base/listener.h"
 #include "base/parallel.h"
 #include "cut/front.h"
 #include "mesh/surface_map.h"
@@ -20,7 +21,6 @@
 #include "unwrap/flatten_cut.h"
 #include "unwrap/layouts.h"
 #include "unwrap/measure_seams.h"
-#include "unwrap/monitor.h"
 #include "unwrap/output.h"
 #include "unwrap/pack_cut.h"
 #include "unwrap/read_surface.h"
@@ -28,6 +28,7 @@
 #include "unwrap/seam_notes.h"
 #include "unwrap/search.h"
 #include "unwrap/stacks.h"
+#include "unwrap/stage_span.h"
 #include "unwrap/stage_times.h"
 #include "unwrap/turned.h"
 #include "unwrap/unseen.h"
@@ -46,7 +47,7 @@ int exponentOf(const PolygonMesh& mesh) {
 }
 
 /// How often the search for seams reports until about half of it is done; by measurement.
-double usualBeats(std::size_t triangles) { return 40 + 3e-4 * static_cast<double>(triangles); }
+double usualReports(std::size_t triangles) { return 40 + 3e-4 * static_cast<double>(triangles); }
 
 std::size_t upAxisOf(const PolygonMesh& input, Up up) {
   return up == Up::Z || (up == Up::Auto && input.isZUp) ? 2 : 1;
@@ -66,14 +67,14 @@ Status checkInput(const PolygonMesh& input, const UnwrapOptions& options) {
 /// The stages of a run, one after the other.
 class Stages {
  public:
-  Stages(const ProgressCallback& callback, UnwrapReport& report)
-      : monitor_(callback), report_(report), times_(report.timings) {}
+  Stages(const Listener& listener, UnwrapReport& report)
+      : listener_(listener), report_(report), times_(report.timings) {}
 
   /// Ends the stage before, if there is one. False if the run is to end.
   bool enter(const StageSpan& span) { return end() && begin(span); }
 
   bool end() {
-    if (monitor_.stopped()) return false;
+    if (listener_.isStopped()) return false;
     if (!field_) return true;
     times_.book(field_);
     report_.peakMemory.*field_ = peakMemory();
@@ -81,16 +82,15 @@ class Stages {
     return true;
   }
 
-  Monitor& monitor() { return monitor_; }
   StageTimes& times() { return times_; }
 
  private:
   bool begin(const StageSpan& span) {
     field_ = span.field;
-    return monitor_.tell(span);
+    return span.of(listener_).tell();
   }
 
-  Monitor monitor_;
+  const Listener& listener_;
   UnwrapReport& report_;
   StageTimes times_;
   double UnwrapStages::*field_ = nullptr;  ///< of the present one
@@ -101,8 +101,8 @@ Status aborted() { return {StatusCode::Aborted, "cancelled"}; }
 /// Smooths what texels cannot show until the layout is measured. Returns the true positions; empty
 /// if nothing is smoothed.
 std::vector<double> hideUnseen(WeldedSurface& read, const UnwrapOptions& options, double unit,
-                               const Pulse& pulse, std::vector<std::string>& notes) {
-  Smoothed smoothed = withoutUnseen(read.welded, read.surface, options, unit, pulse);
+                               const Listener& listener, std::vector<std::string>& notes) {
+  Smoothed smoothed = withoutUnseen(read.welded, read.surface, options, unit, listener);
   if (std::string note = unseenNote(smoothed); !note.empty()) notes.push_back(std::move(note));
   if (smoothed.triangles == 0) return {};
   std::swap(read.welded.mesh.positions, smoothed.positions);
@@ -147,28 +147,25 @@ void fillResult(const SurfaceMap& map, double unit, LaidCharts& charts, UnwrapRe
 
 /// One run, stage by stage. The mesh and lengths in the options are scaled to units of 2^exponent.
 Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions& options,
-                                   int exponent, UnfitFaces& unfit) {
+                                   int exponent, const Listener& listener, UnfitFaces& unfit) {
   if (Status s = checkInput(input, options); !s.ok()) return s;
   const double unit = std::ldexp(1.0, exponent);
   const std::size_t upAxis = upAxisOf(input, options.up);
   UnwrapResult out;
   UnwrapReport& report = out.report;
   report.options = options;
-  Stages stages(options.progress, report);
-  Monitor& monitor = stages.monitor();
-  const Pulse pulse([&] { return monitor.tellAgain(); });
+  Stages stages(listener, report);
 
   if (!stages.enter(kSurface)) return aborted();
-  Result<WeldedSurface> read =
-      readSurface(input, options, unit, Pulse([&] { return monitor.tell(kSurface); }), report);
+  Result<WeldedSurface> read = readSurface(input, options, unit, kSurface.of(listener), report);
   if (!read.ok()) return read.status();
-  if (monitor.stopped()) return aborted();
+  if (listener.isStopped()) return aborted();
   WeldedMesh& welded = read.value().welded;
   Surface& surface = read.value().surface;
   const SurfaceMap map(input, welded, surface);
   ThreadPool pool(usefulThreads(options.threads, surface.table.triangles().size()));
   report.threads = pool.threads();
-  pool.listen(pulse);
+  pool.listen(listener);
 
   if (!stages.enter(kSeams)) return aborted();
   Result<AskedParts> asked = askedParts(map, options, unit, upAxis, report.notes);
@@ -179,42 +176,40 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
   stacks.leaveOutComponents({surface, fixed, cuts.breaks, cuts.seams, cuts.scales});
   std::vector<double> truePositions;
   if (fixed.isFixed.empty())
-    truePositions = hideUnseen(read.value(), options, unit, pulse, report.notes);
+    truePositions = hideUnseen(read.value(), options, unit, listener, report.notes);
   const UncutSurface uncut{welded, unit, surface, fixed};
   FlatCut cut;
-  Approach search(usualBeats(surface.table.triangles().size()));
-  cut.open = cutOpen(
-      uncut, cuts, {}, options, pool, [&] { return monitor.tell(kSeams, search.next()); },
-      report.seams);
+  cut.open = cutOpen(uncut, cuts, {}, options, pool,
+                     kSeams.of(listener).approach(usualReports(surface.table.triangles().size())),
+                     report.seams);
   std::vector<int> variants;
   if (canCut(options) && fixed.isFixed.empty())
     variants = variantsWorth(surface.table.triangles().size(), shareInFront(cut.open.mesh));
   if (variants.empty()) surface.fans = Fans();
-  monitor.tellAgain();
-  if (monitor.stopped()) return aborted();
-  FlattenSettings settings{map, fixed, options, pool, monitor, stages.times()};
+  listener.tell();
+  if (listener.isStopped()) return aborted();
+  FlattenSettings settings{map, fixed, options, pool, kSolve.of(listener), stages.times()};
   settings.isSearch = !variants.empty();
-  settings.tell = [&](double share) { return monitor.tell(kSolve, share); };
   const CutFlattener flattener(settings);
   if (Status s = flattener.takeCharts(cut); !s.ok()) return s;
 
   if (!stages.enter(kSolve)) return aborted();
   if (Status s = flattener.flatten(cut); !s.ok()) return s;
   settings.isSearch = false;
-  settings.tell = [&](double) { return monitor.tellAgain(); };
+  settings.listener = kSolve.of(listener).part(0, 0);  // what follows takes no share of the bar
   if (!variants.empty())
     if (Status s = searchMore({uncut, cuts}, variants, settings, cut); !s.ok()) return s;
   surface.fans = Fans();
-  rectifyAll(
-      options, unit, pool, [&] { return monitor.tellAgain(); }, cut.charts);
+  rectifyAll(options, unit, pool, settings.listener, cut.charts);
 
   if (!stages.enter(kPack)) return aborted();
   settings.stage = &UnwrapStages::pack;
-  if (Status s = packCut(CutFlattener(settings), {unit, upAxis, truePositions}, stacks, surface,
-                         fixed, cut, report);
+  settings.listener = kPack.of(listener).part(0, 0);
+  if (Status s = packCut(CutFlattener(settings), {unit, upAxis, truePositions, kPack.of(listener)},
+                         stacks, surface, fixed, cut, report);
       !s.ok())
     return s;
-  if (monitor.stopped()) return aborted();
+  if (listener.isStopped()) return aborted();
   endCutting(map, truePositions, stacks, {surface, fixed, cut.open, cut.charts}, options, out);
   cut.constraints = IdVector<ChartId, ChartConstraints>();
 
@@ -226,7 +221,7 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
                   cut.charts.flat);
   }
   fillResult(map, unit, cut.charts, out);
-  monitor.tellAgain();
+  listener.tell();
   cut.charts.set = ChartSet();
   surface = Surface();
   certify(input, welded, options.precision == Precision::Gltf ? Numbers::Gltf : Numbers::Double,
@@ -240,20 +235,21 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
 }
 
 Result<UnwrapResult> unwrapScaled(const PolygonMesh& mesh, const UnwrapOptions& options,
-                                  int exponent) {
+                                  int exponent, const Listener& listener) {
   return untilStacksFit(mesh.faceCount(), [&](UnfitFaces& unfit) {
-    return unwrapInUnits(mesh, options, exponent, unfit);
+    return unwrapInUnits(mesh, options, exponent, listener, unfit);
   });
 }
 
-Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& options) {
+Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& options,
+                                  const Listener& listener) {
   // So that nothing overflows or is lost below, and results are the same in every unit.
   const int exponent = exponentOf(mesh);
   if (exponent == 0 || options.reuse.known.unpacked.empty())
-    return unwrapScaled(mesh, options, exponent);
+    return unwrapScaled(mesh, options, exponent, listener);
   UnwrapOptions inUnits = options;
   for (double& x : inUnits.reuse.known.unpacked) x = std::ldexp(x, -exponent);
-  return unwrapScaled(mesh, inUnits, exponent);
+  return unwrapScaled(mesh, inUnits, exponent, listener);
 }
 
 }  // namespace
@@ -261,7 +257,9 @@ Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& 
 Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
   return guarded([&]() -> Result<UnwrapResult> {
     if (Status s = validateArrays(mesh); !s.ok()) return s;
-    return options.orient ? unwrapTurned(mesh, options, unwrapAsItIs) : unwrapAsItIs(mesh, options);
+    const Listener listener(options.progress);
+    return options.orient ? unwrapTurned(mesh, options, listener, unwrapAsItIs)
+                          : unwrapAsItIs(mesh, options, listener);
   });
 }
 

@@ -309,7 +309,7 @@ TEST_CASE("what cannot be packed is named", "[pack]") {
   broken[1].uv[3] = INFINITY;
   CHECK(pack(broken, {}).status().message.find("chart 1 ") == 0);
   options = {};
-  options.progress = [](double) { return false; };
+  options.listener = Listener([](const Progress&) { return false; });
   CHECK(pack(shapes, options).status().code == StatusCode::Aborted);
   CHECK(packed({}, {}).tiles == 1);
 }
@@ -318,13 +318,13 @@ TEST_CASE("progress grows from 0 to at most 1", "[pack]") {
   PackOptions options;
   double last = 0;
   int calls = 0;
-  options.progress = [&](double share) {
-    CHECK(share >= last);
-    CHECK(share <= 1);
-    last = share;
+  options.listener = Listener([&](const Progress& now) {
+    CHECK(now.fraction >= last);
+    CHECK(now.fraction <= 1);
+    last = now.fraction;
     ++calls;
     return true;
-  };
+  });
   packed(makePackShapes("mixed", 200, 3, 2), options);
   CHECK(calls > 3);
 }

@@ -157,10 +157,10 @@ TEST_CASE("finding seams stops when it is told to, with charts that are disks", 
   const Cuttable c(isosurface(24, rings(2)));
   SeamOptions options;
   int asked = 0;
-  options.keepsOn = [&] { return ++asked < 2; };
+  options.listener = Listener([&](const Progress&) { return ++asked < 2; });
   SeamReport report;
   const Seams seams = findSeams(c.seamMesh, {}, options, &report);
-  CHECK(report.cancelled);
+  CHECK(options.listener.isStopped());
   for (const PolygonMesh& chart : chartsOf(c, seams)) CHECK(inspect(chart).disk.ok());
 }
 

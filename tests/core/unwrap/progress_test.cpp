@@ -6,23 +6,10 @@
 #include "catch.h"
 #include "support/meshes.h"
 #include "support/unwrapped.h"
-#include "unwrap/monitor.h"
+#include "unwrap/stage_span.h"
 
 using namespace abflat;
 using namespace abflat::test;
-
-TEST_CASE("the share of work of unknown amount grows, without ever reaching all", "[progress]") {
-  constexpr int kUsual = 40;
-  Approach work(kUsual);
-  double last = 0;
-  for (int step = 1; step <= 100 * kUsual; ++step) {
-    const double share = work.next();
-    CHECK(share > last);
-    CHECK(share < 1);
-    if (step == kUsual) CHECK(share == 0.5);
-    last = share;
-  }
-}
 
 TEST_CASE("progress moves while seams are searched for", "[progress]") {
   std::vector<double> shares;

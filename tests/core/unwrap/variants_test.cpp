@@ -34,9 +34,7 @@ class Searches {
     out.charts.set = chartsOf(welded_, out.open);
     out.charts.flat.resize(out.charts.set.size());
     const IdVector<ChartId, ChartConstraints> constraints(out.charts.set.size());
-    const ProgressCallback none;
-    flattenAll(
-        constraints, options_, pool_, Monitor(none), [](double) { return true; }, out.charts);
+    flattenAll(constraints, options_, pool_, {}, out.charts);
     return out;
   }
 

@@ -22,7 +22,7 @@ struct Front {
   ThreadPool* pool = nullptr;   ///< for the parts of a large front; null: one thread
 };
 
-/// Multiplications within a front that count as one step of a pulse.
+/// Multiplications within a front that count as one small step of a Listener.
 constexpr std::size_t kMultipliesPerStep = 4096;
 
 struct PivotFailure {

@@ -1,11 +1,13 @@
-#include "base/pulse.h"
+#include "base/listener.h"
 
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <random>
 #include <string>
 
 #include "abflat/unwrap.h"
+#include "base/parallel.h"
 #include "catch.h"
 #include "mesh/surface.h"
 #include "mesh/welded_mesh.h"
@@ -45,31 +47,105 @@ PolygonMesh zigzag(unsigned n) {
 
 }  // namespace
 
-TEST_CASE("a pulse is asked after a number of steps, and no more once it has stopped") {
-  int asked = 0;
-  const Pulse pulse([&] { return ++asked < 3; });
+TEST_CASE("a listener is told after a number of steps, and no more once it has stopped") {
+  int told = 0;
+  const Listener listener([&](const Progress&) { return ++told < 3; });
   std::size_t steps = 0;
-  while (pulse.beat() && steps < 10000000) ++steps;
-  CHECK(asked == 3);
+  while (listener.beat() && steps < 10000000) ++steps;
+  CHECK(told == 3);
   CHECK(steps > 50000);
   CHECK(steps < 1000000);
-  CHECK(pulse.isStopped());
-  for (int i = 0; i < 100000; ++i) CHECK_FALSE(pulse.beat());
-  CHECK(asked == 3);
-  CHECK(Pulse().beat(std::size_t{1} << 40));
+  CHECK(listener.isStopped());
+  for (int i = 0; i < 100000; ++i) CHECK_FALSE(listener.beat());
+  CHECK(told == 3);
+  CHECK(Listener().beat(std::size_t{1} << 40));
+}
+
+TEST_CASE("parts of a listener report their share of the whole, which never goes back") {
+  Progress last;
+  const Listener run([&](const Progress& now) {
+    last = now;
+    return true;
+  });
+  const Listener solving = run.part(Stage::Solve, 0.2, 0.6);
+  CHECK(solving.tell(0.25));
+  CHECK(last.stage == Stage::Solve);
+  CHECK(last.fraction == Approx(0.3));
+  solving.part(0.5, 1).tell(0.5);
+  CHECK(last.fraction == Approx(0.5));
+  solving.tell(0.25);
+  CHECK(last.fraction == Approx(0.5));
+  run.part(Stage::Pack, 0.6, 1).tell();
+  CHECK(last.stage == Stage::Pack);
+  CHECK(last.fraction == Approx(0.6));
+  run.tell();
+  CHECK(last.stage == Stage::Pack);
+}
+
+TEST_CASE("the share of work of unknown amount grows, without ever reaching all", "[progress]") {
+  constexpr int kUsual = 40;
+  double last = 0;
+  const Listener run([&](const Progress& now) {
+    CHECK(now.fraction > last);
+    CHECK(now.fraction < 1);
+    last = now.fraction;
+    return true;
+  });
+  const Listener work = run.approach(kUsual), same = work;
+  for (int step = 1; step <= 100 * kUsual; ++step) {
+    (step % 2 ? work : same).tell();
+    if (step == kUsual) CHECK(last == 0.5);
+  }
+}
+
+TEST_CASE("stages and steps within a stage are not reported", "[progress]") {
+  Progress last;
+  const Listener run([&](const Progress& now) {
+    last = now;
+    return true;
+  });
+  const Listener inStage = run.at(Stage::Pack);
+  inStage.at(Stage::Layout).tell();
+  inStage.tellStep(3, 0.5);
+  CHECK(last.stage == Stage::Pack);
+  CHECK(last.newtonStep == 0);
+  run.at(Stage::Layout).tell();
+  CHECK(last.stage == Stage::Layout);
+  run.tellStep(3, 0.5);
+  CHECK(last.stage == Stage::Solve);
+  CHECK(last.newtonStep == 3);
+  CHECK(last.constraintResidual == 0.5);
+}
+
+TEST_CASE("whoever hears that a run is to stop, all know, and only its own thread reports") {
+  int told = 0;
+  const Listener run([&](const Progress&) { return ++told < 3; });
+  const Listener part = run.part(0, 0.5).approach(1);
+  ThreadPool pool(3);
+  parallelFor(&pool, 2, [&](std::size_t) { run.tell(); });
+  CHECK(told <= 2);
+  while (part.tell()) {
+  }
+  CHECK(told == 3);
+  CHECK(run.isStopped());
+  CHECK_FALSE(run.tell(1));
+  CHECK(told == 3);
+  std::atomic<int> going{0};
+  parallelFor(&pool, 20, [&](std::size_t) { going += part.tell(); });
+  CHECK(going == 0);
 }
 
 TEST_CASE("seeing a surface is heard of all the way, and ends wherever that is asked for") {
   for (const PolygonMesh& mesh : {looseSheet(150), zigzag(20000)}) {
     const auto see = [&](int most) {
       int asked = 0;
-      const Pulse pulse([&] { return ++asked != most; });
-      const MeshSummary input = inspect(mesh, pulse);
-      if (!pulse.isStopped()) {
-        const WeldedMesh welded = weld(mesh, !input.disk.ok(), pulse);
-        if (!pulse.isStopped()) buildSurface(welded.mesh, pulse);
+      const Listener listener([&](const Progress&) { return ++asked != most; });
+      const MeshSummary input = inspect(mesh, listener);
+      if (!listener.isStopped()) {
+        const WeldedMesh welded = weld(mesh, !input.disk.ok(), listener);
+        if (!listener.isStopped()) buildSurface(welded.mesh, listener);
       }
-      CHECK(pulse.isStopped() == (most > 0));
+      CHECK(listener.isStopped() == (most > 0));
       return asked;
     };
     const int all = see(0);
