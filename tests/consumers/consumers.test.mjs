@@ -122,6 +122,21 @@ return vertices && corners ? uv : NULL;
   mustRun(compiler, ['-I', at('prefix/include'), ...flags], { input: code });
 });
 
+test('the view of arrays in the document', () => {
+  const code = `#include <vector>\n#include "abflat/unwrap.h"\nnamespace {\n${exampleIn('docs/cpp.md', 'view')}}
+int main() { return unwrapped(std::vector<Vertex>(3), {0, 1, 2}).ok() ? 1 : 0; }
+`;
+  mkdirSync(at('view'));
+  const libraries = ['-I', at('prefix/include'), '-x', 'c++', '-', '-x', 'none'].concat(
+    at('prefix/lib/libabflat.a'),
+    '-pthread',
+  );
+  mustRun(compiler, [...WARNINGS, '-std=c++17', ...libraries, '-o', at('view/program')], {
+    input: code,
+  });
+  mustRun(at('view/program'), []);
+});
+
 test('another compiler links what one has built', {
   skip: !which('clang++') && 'there is no clang++',
 }, () => {

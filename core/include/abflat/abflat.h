@@ -14,13 +14,16 @@ extern "C" {
 typedef struct abflat_options abflat_options;
 typedef struct abflat_result abflat_result;
 
-/* Triangles in the caller's memory, which is only read. */
+/* Triangles in the caller's memory, which is only read, and only until the function returns.
+   Nothing needs to be aligned. */
 typedef struct abflat_mesh {
   const void* positions;    /* x, y, z of each vertex, finite */
   int positions_are_floats; /* 0: they are doubles */
   size_t position_stride;   /* bytes from one vertex to the next; 0: they follow each other */
   size_t vertex_count;
-  const uint32_t* triangles; /* 3 vertices each, counter-clockwise seen from outside */
+  const void* triangles;  /* 3 vertices each, counted from 0, counter-clockwise seen from outside */
+  size_t index_size;      /* bytes of a vertex's number: 2 (unsigned), 4 or 8; 0: 4 */
+  size_t triangle_stride; /* bytes from one triangle to the next; 0: they follow each other */
   size_t triangle_count;
 } abflat_mesh;
 

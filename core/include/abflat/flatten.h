@@ -10,6 +10,7 @@
 #include "abflat/generated/report.h"
 #include "abflat/inspect.h"
 #include "abflat/mesh.h"
+#include "abflat/mesh_view.h"
 #include "abflat/status.h"
 
 namespace abflat {
@@ -31,6 +32,9 @@ struct FlattenResult {
 /// InconsistentOrientation, MultipleComponents, ClosedSurface, MultipleBoundaryLoops, HasHandles,
 /// InfeasibleBound, Aborted.
 ABFLAT_API Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options);
+
+/// The same for triangles in the caller's memory.
+ABFLAT_API Result<FlattenResult> flatten(const MeshView& mesh, const FlattenOptions& options);
 
 /// Rounds a valid layout to single precision, which is all that many programs read from a PLY file,
 /// and measures it again, so that the report describes the rounded coordinates. If rounding would

@@ -10,6 +10,7 @@
 #include "abflat/generated/unwrap_options.h"
 #include "abflat/generated/unwrap_report.h"
 #include "abflat/mesh.h"
+#include "abflat/mesh_view.h"
 #include "abflat/pins.h"
 #include "abflat/seam_sources.h"
 
@@ -99,6 +100,9 @@ struct UnwrapResult {
 /// into as many tiles as needed. The result is valid when every chart is valid and no two overlap.
 /// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
 ABFLAT_API Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
+
+/// The same for triangles in the caller's memory.
+ABFLAT_API Result<UnwrapResult> unwrap(const MeshView& mesh, const UnwrapOptions& options);
 
 /// Turns the faces of a mesh that its layout has turned (UnwrapOptions::orient). The corners of the
 /// result are those of the changed mesh from then on, so that the two can be written together.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "abflat/mesh.h"
 #include "base/guarded.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
@@ -13,6 +12,7 @@
 #include "flatten/chosen_solver.h"
 #include "flatten/flatten_chart.h"
 #include "flatten/refine_chart.h"
+#include "mesh/input_mesh.h"
 #include "mesh/surface.h"
 #include "pin/chart_pins.h"
 
@@ -72,7 +72,9 @@ struct Prepared {
   Texcoords texcoords;
 };
 
-Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
+Result<Prepared> prepare(const InputMesh& input, const Pulse& pulse) {
+  if (!input.polygons()) return prepare(input.copy(), pulse);  // freed with the connectivity
+  const PolygonMesh& mesh = *input.polygons();
   Surface surface = buildSurface(mesh, pulse);
   if (pulse.isStopped()) return Status{StatusCode::Aborted, "cancelled"};
   if (!surface.summary.disk.ok()) return surface.summary.disk;
@@ -86,7 +88,7 @@ Result<Prepared> prepare(const PolygonMesh& mesh, const Pulse& pulse) {
 /// One run, stage by stage.
 class Flattening {
  public:
-  Flattening(const PolygonMesh& mesh, const FlattenOptions& options)
+  Flattening(const InputMesh& mesh, const FlattenOptions& options)
       : mesh_(mesh), options_(options), monitor_(options.progress) {}
 
   Result<FlattenResult> run() {
@@ -109,7 +111,7 @@ class Flattening {
       return {StatusCode::InvalidOption,
               "delaunay is a condition on angles, which a balance above 0 changes. Use only one of "
               "them"};
-    return validateArrays(mesh_);
+    return mesh_.validate();
   }
 
   Status seeDisk() {
@@ -195,7 +197,7 @@ class Flattening {
     out_.cornerUv.assign(ofCorner.begin(), ofCorner.end());
   }
 
-  const PolygonMesh& mesh_;
+  const InputMesh mesh_;
   const FlattenOptions& options_;
   Monitor monitor_;
   Stopwatch watch_;
@@ -212,6 +214,10 @@ class Flattening {
 }  // namespace
 
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options) {
+  return guarded([&] { return Flattening(mesh, options).run(); });
+}
+
+Result<FlattenResult> flatten(const MeshView& mesh, const FlattenOptions& options) {
   return guarded([&] { return Flattening(mesh, options).run(); });
 }
 

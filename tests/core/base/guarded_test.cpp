@@ -82,9 +82,8 @@ TEST_CASE("public functions report lack of memory, leak nothing and work again")
     checkWithLittleMemory([&] { return ended(compare(mesh, {}).status, ""); });
   }
   SECTION("for C") {
-    const abflat_mesh triangles = {
-        mesh.positions.data(),       0, 0, mesh.vertexCount(), mesh.faceVertices.data(),
-        mesh.faceVertices.size() / 3};
+    const abflat_mesh triangles = {mesh.positions.data(),    0, 0, mesh.vertexCount(),
+                                   mesh.faceVertices.data(), 0, 0, mesh.faceVertices.size() / 3};
     checkWithLittleMemory([&] {
       abflat_result* result = nullptr;
       const int status = abflat_unwrap(&triangles, nullptr, nullptr, nullptr, &result);
