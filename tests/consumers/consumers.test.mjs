@@ -214,6 +214,6 @@ extern "C" bool unwraps() { return abflat::unwrap({}, {}).ok(); }
   ]);
   assert.doesNotMatch(
     mustRun('nm', ['-D', '--defined-only', '-C', at('module/module.so')]),
-    /abflat/,
+    / T abflat/,
   );
 });

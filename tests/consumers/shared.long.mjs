@@ -25,7 +25,7 @@ after(() => made.remove());
 /** Functions that headers declare but do not define; a name as often as it is overloaded. */
 function declaredIn(headers) {
   const declaration =
-    /^(ABFLAT_API )?(?!inline|template|typedef|using|constexpr|struct|enum|#)[\w:<>*&, ]*?[ *&](\w+)\([^{};]*(?:\{\}[^{};]*)*\);/gm;
+    /^(ABFLAT_API )?(?!inline|template|typedef|using|constexpr|struct|enum)[A-Za-z][\w:<>*&, ]*?[ *&](\w+)\([^{};]*(?:\{\}[^{};]*)*\);/gm;
   const names = [];
   for (const header of headers)
     for (const [all, mark, name] of readFileSync(join(HEADERS, header), 'utf8').matchAll(

@@ -14,7 +14,11 @@ export const C_EXAMPLE = join(ROOT, 'examples/c');
 const SOURCES = ['CMakeLists.txt', 'LICENSE', 'core', 'scripts/cmake'];
 
 export function mustRun(command, args, options = {}) {
-  const { status, stdout, stderr } = spawnSync(command, args, { encoding: 'utf8', ...options });
+  const { status, stdout, stderr } = spawnSync(command, args, {
+    encoding: 'utf8',
+    maxBuffer: 1e8,
+    ...options,
+  });
   assert.equal(status, 0, `${command} ${args.join(' ')}\n${stdout}\n${stderr}`);
   return stdout;
 }
