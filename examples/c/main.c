@@ -18,7 +18,12 @@ static int progress(const char* stage, double share, void* user) {
 }
 
 int main(void) {
-  abflat_mesh mesh = {corners, 1, sizeof corners[0], 8, faces[0], 12};
+  abflat_mesh mesh = {.positions = corners,
+                      .positions_are_floats = 1,
+                      .position_stride = sizeof corners[0],
+                      .vertex_count = 8,
+                      .triangles = faces,
+                      .triangle_count = 12};
   abflat_options* options = abflat_new_options();
   abflat_result* result = NULL;
   int calls = 0;

@@ -84,7 +84,10 @@ class AbflatConan(ConanFile):
         self.cpp_info.set_property("cmake_file_name", "abflat")
         for part in ["abflat"] + [p for p in ("drawing", "gltf") if getattr(self.options, p)]:
             component = self.cpp_info.components[part]
-            component.libs = [part if part == "abflat" else f"abflat_{part}"]
+            if part == "abflat":
+                component.libs = ["abflat"]
+            elif not self.options.shared:  # a shared library contains its parts
+                component.libs = [f"abflat_{part}"]
             component.set_property("cmake_target_name", f"abflat::{part}")
             if part != "abflat":
                 component.requires = ["abflat"]

@@ -2,40 +2,25 @@
 // a folder of another project, and installed from there.
 
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import {
-  cpSync,
-  mkdirSync,
-  mkdtempSync,
-  readFileSync,
-  rmSync,
-  symlinkSync,
-  writeFileSync,
-} from 'node:fs';
-import { tmpdir } from 'node:os';
+import { cpSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { JOBS } from '../../scripts/lib/cmake.mjs';
 import { ROOT } from '../../scripts/lib/paths.mjs';
 import { which } from '../../scripts/lib/run.mjs';
 import { exampleIn } from '../support/documents.mjs';
+import { C_EXAMPLE, consumers, EXAMPLE, mustRun } from './support/consumers.mjs';
 
-const EXAMPLE = join(ROOT, 'examples/cpp');
-const C_EXAMPLE = join(ROOT, 'examples/c');
-const SOURCES = ['CMakeLists.txt', 'LICENSE', 'core', 'scripts/cmake'];
 const compiler = process.env.CXX ?? ['c++', 'g++', 'clang++'].map(which).find(Boolean);
 
-const STRICT =
-  '-std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Werror'.split(' ');
+const HEADERS = join(ROOT, 'core/include');
+const WARNINGS = '-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror'.split(
+  ' ',
+);
 
-let folder;
-const at = (...names) => join(folder, ...names);
-
-function mustRun(command, args, options = {}) {
-  const { status, stdout, stderr } = spawnSync(command, args, { encoding: 'utf8', ...options });
-  assert.equal(status, 0, `${command} ${args.join(' ')}\n${stdout}\n${stderr}`);
-  return stdout;
-}
+let made;
+const at = (...names) => made.at(...names);
+const configure = (...args) => made.configure(...args);
+const build = (name) => made.build(name);
 
 /** A project around the example's source, with these lines of the documents. */
 function project(name, lines) {
@@ -46,14 +31,6 @@ function project(name, lines) {
     .join('\n');
   writeFileSync(at(name, 'CMakeLists.txt'), text);
 }
-
-function configure(name, ...more) {
-  const generator = which('ninja') ? ['-G', 'Ninja'] : [];
-  return mustRun('cmake', ['-S', at(name), '-B', at(name, 'build'), ...generator, ...more]);
-}
-
-const build = (name, ...more) =>
-  mustRun('cmake', ['--build', at(name, 'build'), '--parallel', JOBS, ...more]);
 
 /** How a source of a project is compiled. */
 function commandFor(name, source) {
@@ -73,20 +50,15 @@ const CACHE = { CMAKE_CXX_COMPILER: compiler, CMAKE_BUILD_TYPE: 'Release' };
 const settings = Object.entries(CACHE).map(([key, value]) => `-D${key}=${value}`);
 
 before(() => {
-  folder = mkdtempSync(join(tmpdir(), 'abflat-consumers-'));
-  // Without what lies beside the sources, as in an archive of them.
-  mkdirSync(at('folder'));
-  for (const path of SOURCES) {
-    mkdirSync(at('folder/abflat', path, '..'), { recursive: true });
-    cpSync(join(ROOT, path), at('folder/abflat', path), { recursive: true });
-  }
+  made = consumers();
+  made.copySources('folder/abflat');
   project('folder', exampleIn('docs/cpp.md', 'add_subdirectory'));
   configure('folder', ...settings, '-DABFLAT_INSTALL=ON', '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON');
   build('folder');
   mustRun('cmake', ['--install', at('folder/build'), '--prefix', at('prefix')]);
 });
 
-after(() => rmSync(folder, { recursive: true, force: true }));
+after(() => made.remove());
 
 test('as a folder of another project, without anything but the library', () => {
   unwraps(at('folder/build/my_program'));
@@ -150,13 +122,29 @@ return vertices && corners ? uv : NULL;
   mustRun(compiler, ['-I', at('prefix/include'), ...flags], { input: code });
 });
 
+test('the view of arrays in the document', () => {
+  const code = `#include <vector>\n#include "abflat/unwrap.h"\nnamespace {\n${exampleIn('docs/cpp.md', 'view')}}
+int main() { return unwrapped(std::vector<Vertex>(3), {0, 1, 2}).ok() ? 1 : 0; }
+`;
+  mkdirSync(at('view'));
+  const libraries = ['-I', at('prefix/include'), '-x', 'c++', '-', '-x', 'none'].concat(
+    at('prefix/lib/libabflat.a'),
+    '-pthread',
+  );
+  mustRun(compiler, [...WARNINGS, '-std=c++17', ...libraries, '-o', at('view/program')], {
+    input: code,
+  });
+  mustRun(at('view/program'), []);
+});
+
 test('another compiler links what one has built', {
   skip: !which('clang++') && 'there is no clang++',
 }, () => {
   mkdirSync(at('clang'));
   const libraries = ['-I', at('prefix/include'), at('prefix/lib/libabflat.a'), '-pthread'];
   mustRun('clang++', [
-    ...STRICT,
+    ...WARNINGS,
+    '-std=c++17',
     join(EXAMPLE, 'main.cpp'),
     ...libraries,
     '-o',
@@ -177,19 +165,33 @@ test('installed, with pkg-config, and in a folder that was moved', {
   unwraps(at('moved/my_program'));
 });
 
-test('every installed header compiles alone', () => {
-  const headers = mustRun('find', ['.', '-name', '*.h'], { cwd: at('prefix/include') });
-  assert.doesNotMatch(headers, /draw\.h|gltf\.h|appearance\.h/, 'headers of libraries not built');
-  const names = headers.trim().split('\n');
-  assert.ok(names.length > 20);
-  const code = (name) => `#include "${name.replace('./', '')}"\n`;
-  for (const name of names)
-    mustRun(compiler, [...STRICT, '-fsyntax-only', '-I', at('prefix/include'), '-x', 'c++', '-'], {
-      input: code(name),
-    });
+const headersIn = (folder) =>
+  mustRun('find', ['abflat', '-name', '*.h'], { cwd: folder }).trim().split('\n');
+
+test('headers of parts that are not built are not installed', () => {
+  const installed = headersIn(at('prefix/include'));
+  const parts = ['draw.h', 'gltf.h', 'appearance.h'].map((name) => `abflat/${name}`);
+  assert.deepEqual(headersIn(HEADERS).sort(), installed.concat(parts).sort());
 });
 
-test('the library fits into a shared module', () => {
+/** Headers that are included in this order, compiled with all warnings. */
+function compileHeaders(names, command, standard) {
+  const input = names.map((name) => `#include "${name}"\n`).join('');
+  const options = [...WARNINGS, `-std=c++${standard}`, '-fsyntax-only', '-I', HEADERS];
+  mustRun(command, [...options, '-x', 'c++', '-'], { input });
+}
+
+test('every public header compiles alone', () => {
+  for (const name of headersIn(HEADERS)) compileHeaders([name], compiler, 17);
+});
+
+test('all public headers compile without warnings, as every version of the language', () => {
+  const compilers = ['g++', 'clang++'].filter(which);
+  for (const command of compilers)
+    for (const standard of [17, 20, '2b']) compileHeaders(headersIn(HEADERS), command, standard);
+});
+
+test('the library fits into a shared module, which exports nothing of it', () => {
   mkdirSync(at('module'));
   writeFileSync(
     at('module/module.cpp'),
@@ -210,4 +212,8 @@ extern "C" bool unwraps() { return abflat::unwrap({}, {}).ok(); }
     '-o',
     at('module/module.so'),
   ]);
+  assert.doesNotMatch(
+    mustRun('nm', ['-D', '--defined-only', '-C', at('module/module.so')]),
+    / T abflat/,
+  );
 });

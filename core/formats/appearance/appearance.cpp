@@ -4,6 +4,7 @@
 
 #include "appearance/readers.h"
 #include "appearance/vertex_colors.h"
+#include "base/guarded.h"
 #include "io/text_lines.h"
 #include "mesh/triangle_geometry.h"
 
@@ -59,10 +60,8 @@ void completeNormals(const PolygonMesh& mesh, Appearance& out) {
   }
 }
 
-}  // namespace
-
-Appearance readAppearance(std::string_view bytes, MeshFormat format, const PolygonMesh& mesh,
-                          const ReadResource& readResource) {
+Appearance appearanceOf(std::string_view bytes, MeshFormat format, const PolygonMesh& mesh,
+                        const ReadResource& readResource) {
   Appearance out;
   out.normals = mesh.normals;
   out.faceNormals = mesh.faceNormals;
@@ -73,6 +72,14 @@ Appearance readAppearance(std::string_view bytes, MeshFormat format, const Polyg
   completeNormals(mesh, out);
   makeLinear(out.colors);
   return out;
+}
+
+}  // namespace
+
+Result<Appearance> readAppearance(std::string_view bytes, MeshFormat format,
+                                  const PolygonMesh& mesh, const ReadResource& readResource) {
+  return guarded(
+      [&]() -> Result<Appearance> { return appearanceOf(bytes, format, mesh, readResource); });
 }
 
 }  // namespace abflat

@@ -32,9 +32,9 @@ Json numbersAsJson(const std::vector<double>& values, bool isFloat) {
   Json out = Json::array();
   for (const double x : values) {
     if (isFloat || !std::isfinite(x))
-      out.push_back(x);
+      out.items().emplace_back(x);
     else
-      out.push_back(static_cast<std::int64_t>(x));
+      out.items().emplace_back(static_cast<std::int64_t>(x));
   }
   return out;
 }
@@ -48,7 +48,7 @@ void refreshBoxes(Document& document, Complaints& complaints) {
   for (std::size_t a = 0; a < document.accessors.size(); ++a) {
     const Accessor& accessor = document.accessors[a];
     Json& json = document.json["accessors"][a];
-    const bool hasBox = json.contains("min") && json.contains("max");
+    const bool hasBox = json.has("min") && json.has("max");
     if (!hasBox || accessor.view == kNone || !isDecoded[accessor.view] || accessor.count == 0)
       continue;
     const std::size_t elements = accessor.count + (accessor.sparse ? accessor.sparse->count : 0);

@@ -17,7 +17,7 @@ DecodedViews::DecodedViews(Document& document)
     : document_(document), budget_(document.size, kLeastDecoded, kDecodedPerByte) {}
 
 std::size_t DecodedViews::put(std::size_t slot, std::string bytes) {
-  Json& views = document_.json["bufferViews"];
+  Json::Items& views = document_.json["bufferViews"].items();
   if (slot == kNone) {
     slot = views.size();
     views.push_back(Json::object());
@@ -27,7 +27,7 @@ std::size_t DecodedViews::put(std::size_t slot, std::string bytes) {
   view["byteOffset"] = 0;
   view["byteLength"] = bytes.size();
   decoded_ += bytes.size();
-  document_.json["buffers"].push_back(Json::object({{"byteLength", bytes.size()}}));
+  document_.json["buffers"].items().emplace_back()["byteLength"] = bytes.size();
   document_.buffers.push_back(std::move(bytes));
   document_.decodedViews.push_back(slot);
   return slot;

@@ -14,26 +14,29 @@ namespace abflat::gltf {
 namespace {
 
 bool isCompression(const Json& name) {
-  return name == kDracoExtension || name == kMeshoptExtensions[0] || name == kMeshoptExtensions[1];
+  const std::string* const text = name.text();
+  return text && (*text == kDracoExtension || *text == kMeshoptExtensions[0] ||
+                  *text == kMeshoptExtensions[1]);
 }
 
 /// Removes the names from the lists of extensions; a list must not become empty.
 void forgetNames(Json& json) {
   for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
-    const auto list = json.find(key);
-    if (list == json.end() || !list->is_array()) continue;
-    const auto kept = std::remove_if(list->begin(), list->end(), isCompression);
-    if (kept == list->end()) continue;
-    list->erase(kept, list->end());
-    if (list->empty()) json.erase(key);
+    Json* const list = json.find(key);
+    if (!list || !list->isArray()) continue;
+    Json::Items& names = list->items();
+    const auto kept = std::remove_if(names.begin(), names.end(), isCompression);
+    if (kept == names.end()) continue;
+    names.erase(kept, names.end());
+    if (names.empty()) json.erase(key);
   }
 }
 
 /// Drops the bytes of buffers that no view refers to any more.
 void dropUnused(Document& document) {
   std::vector<bool> isUsed(document.buffers.size());
-  for (const Json& view : document.json["bufferViews"])
-    isUsed[view["buffer"].get<std::size_t>()] = true;
+  for (const Json& view : document.json["bufferViews"].items())
+    isUsed[static_cast<std::size_t>(*view["buffer"].number())] = true;
   for (std::size_t b = 0; b < isUsed.size(); ++b)
     if (!isUsed[b]) std::string().swap(document.buffers[b]);
 }

@@ -126,7 +126,7 @@ class PrimitiveDecoder {
   void putPrimitive(const PackedPrimitive& packed, const DracoMesh& mesh) {
     Json& json = jsonOf(packed);
     json["indices"] = putIndices(packed, mesh);
-    if (json.contains("mode")) json["mode"] = static_cast<int>(Mode::Triangles);
+    if (json.has("mode")) json["mode"] = static_cast<int>(Mode::Triangles);
     for (const PackedAttribute& attribute : packed.attributes)
       if (complaints_.none())
         json["attributes"][attribute.name] = putAttribute(packed, attribute, mesh);
@@ -136,7 +136,7 @@ class PrimitiveDecoder {
     const auto [slot, isNew] = slotFor(packed.indices, {packed.view, kNone});
     if (!isNew) return slot;
     Json& json = accessor(slot);
-    if (packed.indices == kNone) json = {{"componentType", typeCode(ComponentType::Uint16)}};
+    if (packed.indices == kNone) json["componentType"] = typeCode(ComponentType::Uint16);
     const std::vector<std::uint32_t> indices = mesh.indices();
     const ComponentType given = componentType(fieldOf(slot)["componentType"]);
     const ComponentType type = typeFor(isUnsigned(given) ? given : ComponentType::Uint16,
@@ -183,7 +183,7 @@ class PrimitiveDecoder {
     const auto [known, isNew] = slots_.emplace(std::pair(accessor, content), accessor);
     if (!isNew) return {known->second, false};
     if (accessor == kNone || !taken_.insert(accessor).second) {
-      Json& accessors = document_.json["accessors"];
+      Json::Items& accessors = document_.json["accessors"].items();
       known->second = accessors.size();
       Json copy = accessor == kNone ? Json::object() : accessors[accessor];
       accessors.push_back(std::move(copy));

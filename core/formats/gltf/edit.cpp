@@ -3,16 +3,6 @@
 #include "gltf/merged_buffer.h"
 
 namespace abflat::gltf {
-namespace {
-
-/// A list of the file, created if missing.
-Json& ensuredList(Json& json, const char* key) {
-  Json& list = json[key];
-  if (!list.is_array()) list = Json::array();
-  return list;
-}
-
-}  // namespace
 
 Edit::Edit(const Document& document, Usage usage)
     : document_(document),
@@ -30,7 +20,7 @@ void Edit::release(std::size_t accessor) {
 }
 
 std::size_t Edit::addView(std::string bytes, std::size_t stride, Target target) {
-  Json& views = ensuredList(json_, "bufferViews");
+  Json::Items& views = json_["bufferViews"].items();
   std::size_t view = views.size();
   if (freeViews_.empty()) {
     views.push_back(Json::object());
@@ -51,7 +41,7 @@ std::size_t Edit::addView(std::string bytes, std::size_t stride, Target target) 
 }
 
 std::size_t Edit::putAccessor(std::size_t slot, Json accessor) {
-  Json& accessors = ensuredList(json_, "accessors");
+  Json::Items& accessors = json_["accessors"].items();
   if (slot == kNone) {
     accessors.push_back(std::move(accessor));
     return accessors.size() - 1;
@@ -62,7 +52,7 @@ std::size_t Edit::putAccessor(std::size_t slot, Json accessor) {
 
 std::pair<Json, std::string> Edit::finish() {
   MergedBuffer merged(document_, isNew_);
-  Json& views = ensuredList(json_, "bufferViews");
+  Json::Items& views = json_["bufferViews"].items();
   for (std::size_t view = 0; view < document_.views.size(); ++view) {
     if (isNew_[view]) continue;
     const std::size_t offset = merged.offsetOf(document_.views[view]);
@@ -71,11 +61,11 @@ std::pair<Json, std::string> Edit::finish() {
   }
   for (const NewView& view : added_) views[view.view]["byteOffset"] = merged.append(view.bytes);
   Json buffer = Json::object();
-  Json& buffers = ensuredList(json_, "buffers");
-  if (!buffers.empty()) buffer = buffers[0];
+  Json::Items& buffers = json_["buffers"].items();
+  if (!buffers.empty()) buffer = std::move(buffers[0]);
   buffer.erase("uri");
   buffer["byteLength"] = merged.bytes().size();
-  buffers = Json::array({std::move(buffer)});
+  buffers.assign(1, buffer);
   return {std::move(json_), merged.take()};
 }
 

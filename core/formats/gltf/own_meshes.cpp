@@ -6,7 +6,7 @@ namespace {
 /// The index of a new mesh that is like another.
 std::size_t copyOf(std::size_t mesh, Document& document) {
   document.meshes.push_back(std::vector<Primitive>(document.meshes[mesh]));
-  Json& meshes = document.json["meshes"];
+  Json::Items& meshes = document.json["meshes"].items();
   meshes.push_back(Json(meshes[mesh]));
   return document.meshes.size() - 1;
 }

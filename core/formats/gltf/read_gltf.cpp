@@ -273,10 +273,8 @@ class ModelReader {
     model_.mesh.materialNames.resize(materials_.size());
     for (const auto& [material, number] : materials_) {
       if (material == kNone) continue;
-      const Json& json = document_.json["materials"][material];
-      const auto name = json.is_object() ? json.find("name") : json.end();
-      if (name != json.end() && name->is_string())
-        model_.mesh.materialNames[number] = name->get<std::string>();
+      const Json* const name = document_.json["materials"][material].find("name");
+      if (name && name->text()) model_.mesh.materialNames[number] = *name->text();
     }
   }
 

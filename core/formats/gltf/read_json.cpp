@@ -60,15 +60,15 @@ Result<Json> readJson(std::string_view text, const std::string& fileName) {
   if (nesting.keys > kMostKeys)
     complaints.add("the JSON has an object of more than " + std::to_string(kMostKeys) + " entries");
   if (!complaints.none()) return complaints.status();
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) {
+  std::optional<Json> json = parsedJson(text);
+  if (!json) {
     complaints.add("the JSON is not valid. Is the file truncated?");
     return complaints.status();
   }
-  const Field root(&json, "", complaints);
+  const Field root(&*json, "", complaints);
   checkVersion(root, complaints);
   if (!complaints.none()) return complaints.status();
-  return json;
+  return std::move(*json);
 }
 
 }  // namespace abflat::gltf

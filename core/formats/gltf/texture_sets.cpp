@@ -10,49 +10,40 @@ namespace abflat {
 namespace gltf {
 namespace {
 
-/// A member, or null.
-const Json* memberOf(const Json& json, const char* key) {
-  const auto found = json.is_object() ? json.find(key) : json.end();
-  return found == json.end() ? nullptr : &*found;
-}
-
 /// A whole number, 0 or more, or `fallback`.
 std::size_t numberOf(const Json* json, std::size_t fallback) {
-  return json != nullptr && json->is_number_unsigned() ? json->get<std::size_t>() : fallback;
+  return json ? json->wholeNumber().value_or(fallback) : fallback;
 }
 
 bool isTextureInfo(std::string_view key, const Json& json) {
   constexpr std::string_view kEnd = "Texture";
   return key.size() >= kEnd.size() && key.substr(key.size() - kEnd.size()) == kEnd &&
-         memberOf(json, "index") != nullptr;
+         json.has("index");
 }
 
 /// KHR_texture_transform may specify another set.
 std::size_t setOf(const Json& texture) {
-  const std::size_t set = numberOf(memberOf(texture, "texCoord"), 0);
-  const Json* const extensions = memberOf(texture, "extensions");
-  const Json* const transform =
-      extensions == nullptr ? nullptr : memberOf(*extensions, "KHR_texture_transform");
-  return transform == nullptr ? set : numberOf(memberOf(*transform, "texCoord"), set);
+  const std::size_t set = numberOf(texture.find("texCoord"), 0);
+  const Json* const extensions = texture.find("extensions");
+  const Json* const transform = extensions ? extensions->find("KHR_texture_transform") : nullptr;
+  return transform ? numberOf(transform->find("texCoord"), set) : set;
 }
 
 /// Texcoord sets of all textures of a material, including those of its extensions.
 void addSets(const Json& material, std::set<std::size_t>& sets) {
-  if (!material.is_object()) return;
-  for (const auto& member : material.items()) {
-    if (member.key() == "extras") continue;
-    if (isTextureInfo(member.key(), member.value())) sets.insert(setOf(member.value()));
-    addSets(member.value(), sets);
+  for (const auto& [key, value] : material.members()) {
+    if (key == "extras") continue;
+    if (isTextureInfo(key, value)) sets.insert(setOf(value));
+    addSets(value, sets);
   }
 }
 
 /// Materials that extensions of a primitive refer to, such as variants.
 void addMaterials(const Json& json, std::set<std::size_t>& materials) {
-  if (!json.is_structured()) return;
-  for (const auto& member : json.items()) {
-    if (json.is_object() && member.key() == "material")
-      materials.insert(numberOf(&member.value(), kNone));
-    addMaterials(member.value(), materials);
+  for (const Json& item : json.items()) addMaterials(item, materials);
+  for (const auto& [key, value] : json.members()) {
+    if (key == "material") materials.insert(numberOf(&value, kNone));
+    addMaterials(value, materials);
   }
 }
 
@@ -66,13 +57,12 @@ class TextureSets {
         if (!hasTriangles(primitive.mode)) continue;
         materials.insert(primitive.material);
         const Json& json = document.json["meshes"][m]["primitives"][p];
-        if (const Json* extensions = memberOf(json, "extensions"))
-          addMaterials(*extensions, materials);
+        if (const Json* extensions = json.find("extensions")) addMaterials(*extensions, materials);
         for (const auto& attribute : primitive.attributes) names_.insert(attribute.first);
       }
-    const Json* const list = memberOf(document.json, "materials");
+    const Json* const list = document.json.find("materials");
     for (const std::size_t m : materials)
-      if (list != nullptr && m < list->size()) addSets((*list)[m], sampled_);
+      if (list && m < list->items().size()) addSets((*list)[m], sampled_);
   }
 
   bool isSampled(std::size_t set) const { return sampled_.count(set) > 0; }

@@ -16,16 +16,16 @@ bool isHarmless(std::string_view extension) {
 }
 
 /// Entries of a list; empty if there is none.
-const Json& listOf(const Json& object, const char* key) {
-  static const Json kEmpty = Json::array();
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return found != object.end() && found->is_array() ? *found : kEmpty;
+const Json::Items& listOf(const Json& object, const char* key) {
+  static const Json kNull;
+  const Json* const found = object.find(key);
+  return (found ? *found : kNull).items();
 }
 
 void count(const Json& object, const char* key, std::vector<std::size_t>& counts) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  if (found == object.end() || !found->is_number()) return;
-  const double index = found->get<double>();
+  const Json* const found = object.find(key);
+  if (!found || !found->isNumber()) return;
+  const double index = *found->number();
   if (index >= 0 && index < static_cast<double>(counts.size()))
     ++counts[static_cast<std::size_t>(index)];
 }
@@ -60,19 +60,15 @@ void Usage::countAccessors(const Json& json) {
 }
 
 void Usage::countUnknown(const Json& json, bool isUnknown) {
-  if (json.is_number_integer() && isUnknown) {
-    const double index = json.get<double>();
+  if (json.isInteger() && isUnknown) {
+    const double index = *json.number();
     for (std::vector<std::size_t>* counts : {&accessors_, &views_})
       if (index >= 0 && index < static_cast<double>(counts->size()))
         ++(*counts)[static_cast<std::size_t>(index)];
   }
-  if (json.is_array())
-    for (const Json& value : json) countUnknown(value, isUnknown);
-  if (!json.is_object()) return;
-  for (const auto& member : json.items())
-    if (!isHarmless(member.key()))
-      countUnknown(member.value(),
-                   isUnknown || member.key() == "extensions" || member.key() == "extras");
+  for (const Json& item : json.items()) countUnknown(item, isUnknown);
+  for (const auto& [key, value] : json.members())
+    if (!isHarmless(key)) countUnknown(value, isUnknown || key == "extensions" || key == "extras");
 }
 
 void Usage::release(const Accessor& accessor) {

@@ -137,7 +137,7 @@ class ModelWriter {
         slot, indexAccessor(jsonOfAccessor(slot), split_.parts[p].triangles, type, edit_));
     Json& json = jsonOf(p);
     json["indices"] = indices;
-    if (json.contains("mode")) json["mode"] = static_cast<int>(Mode::Triangles);
+    if (json.has("mode")) json["mode"] = static_cast<int>(Mode::Triangles);
   }
 
   const Source& source_;
@@ -152,12 +152,12 @@ class ModelWriter {
 
 /// Adjusts paths so that files beside the old file are found from the folder of the new one.
 void moveImages(Json& json, const std::string& pathToSource) {
-  const auto images = json.find("images");
-  if (images == json.end() || !images->is_array() || pathToSource.empty()) return;
-  for (Json& image : *images) {
-    const auto uri = image.is_object() ? image.find("uri") : image.end();
-    if (uri == image.end() || !uri->is_string()) continue;
-    const std::string old = uri->get<std::string>();
+  Json* const images = json.find("images");
+  if (!images || !images->isArray() || pathToSource.empty()) return;
+  for (Json& image : images->items()) {
+    Json* const uri = image.find("uri");
+    if (!uri || !uri->text()) continue;
+    const std::string old = *uri->text();
     const bool isBeside = !isDataUri(old) && !hasScheme(old) && old.substr(0, 1) != "/";
     if (isBeside) *uri = uriOfPath(pathToSource) + "/" + old;
   }
@@ -166,11 +166,10 @@ void moveImages(Json& json, const std::string& pathToSource) {
 /// Whether a material has a normal map that uses a set of texcoords.
 bool hasNormalMap(const Json& json, std::size_t material, std::size_t texcoord) {
   if (material == kNone) return false;
-  const Json& value = json["materials"][material];
-  const auto texture = value.is_object() ? value.find("normalTexture") : value.end();
-  if (texture == value.end() || !texture->is_object()) return false;
-  const auto set = texture->find("texCoord");
-  return set == texture->end() ? texcoord == 0 : *set == texcoord;
+  const Json* const texture = json["materials"][material].find("normalTexture");
+  if (!texture || !texture->isObject()) return false;
+  const Json* const set = texture->find("texCoord");
+  return set ? set->number() == static_cast<double>(texcoord) : texcoord == 0;
 }
 
 }  // namespace
@@ -183,9 +182,10 @@ Result<std::string> writeGltf(const gltf::Source& source, const std::vector<doub
     gltf::SplitParts split = gltf::splitParts(source, uv, cornerUv, options.turnedFaces);
     auto [json, buffer] = gltf::ModelWriter(source, std::move(split), options.texcoord).write();
     gltf::moveImages(json, options.pathToSource);
-    if (options.isBinary) return gltf::binaryFile(json.dump(), buffer, source.document.otherChunks);
+    if (options.isBinary)
+      return gltf::binaryFile(json.dump(false), buffer, source.document.otherChunks);
     json["buffers"][0]["uri"] = gltf::dataUri(buffer);
-    return json.dump(2) + "\n";
+    return json.dump(true) + "\n";
   });
 }
 

@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "abflat/export.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -12,13 +14,16 @@ extern "C" {
 typedef struct abflat_options abflat_options;
 typedef struct abflat_result abflat_result;
 
-/* Triangles in the caller's memory, which is only read. */
+/* Triangles in the caller's memory, which is only read, and only until the function returns.
+   Nothing needs to be aligned. */
 typedef struct abflat_mesh {
   const void* positions;    /* x, y, z of each vertex, finite */
   int positions_are_floats; /* 0: they are doubles */
   size_t position_stride;   /* bytes from one vertex to the next; 0: they follow each other */
   size_t vertex_count;
-  const uint32_t* triangles; /* 3 vertices each, counter-clockwise seen from outside */
+  const void* triangles;  /* 3 vertices each, counted from 0, counter-clockwise seen from outside */
+  size_t index_size;      /* bytes of a vertex's number: 2 (unsigned), 4 or 8; 0: 4 */
+  size_t triangle_stride; /* bytes from one triangle to the next; 0: they follow each other */
   size_t triangle_count;
 } abflat_mesh;
 
@@ -26,48 +31,51 @@ typedef struct abflat_mesh {
    called abflat_unwrap; 0 cancels. */
 typedef int (*abflat_progress)(const char* stage, double share, void* user);
 
-const char* abflat_version(void);
+ABFLAT_API const char* abflat_version(void);
 
 /* "Ok" for 0; the codes and their names are those of docs/cpp.md, in that order. */
-const char* abflat_status_name(int status);
+ABFLAT_API const char* abflat_status_name(int status);
 
 /* With the defaults; NULL if there is no memory. */
-abflat_options* abflat_new_options(void);
-void abflat_free_options(abflat_options* options);
+ABFLAT_API abflat_options* abflat_new_options(void);
+ABFLAT_API void abflat_free_options(abflat_options* options);
 
 /* Sets an option of unwrap by its name in JSON ("maxStretch") or on the command line
    ("--max-stretch") to a value as on the command line: "1.04", "auto", "true", "quarter"; "seams"
    takes a list of sources, such as "auto,sharp=60". Returns a status; InvalidOption changes
    nothing. */
-int abflat_set_option(abflat_options* options, const char* name, const char* value);
+ABFLAT_API int abflat_set_option(abflat_options* options, const char* name, const char* value);
 
 /* One sentence about the last call of abflat_set_option; empty if its status was 0. */
-const char* abflat_option_message(const abflat_options* options);
+ABFLAT_API const char* abflat_option_message(const abflat_options* options);
 
 /* Cuts a mesh into charts, flattens and packs them. `options` and `progress` may be NULL. Returns a
    status. `result` receives what the functions below read, also where the status is not 0; it is
    NULL if there is no memory for it. A result that is not valid has status 0, see
    abflat_is_valid. */
-int abflat_unwrap(const abflat_mesh* mesh, const abflat_options* options, abflat_progress progress,
-                  void* user, abflat_result** result);
-void abflat_free_result(abflat_result* result);
+ABFLAT_API int abflat_unwrap(const abflat_mesh* mesh, const abflat_options* options,
+                             abflat_progress progress, void* user, abflat_result** result);
+ABFLAT_API void abflat_free_result(abflat_result* result);
 
 /* One sentence that names the place and what to do; empty if the status is 0. */
-const char* abflat_message(const abflat_result* result);
+ABFLAT_API const char* abflat_message(const abflat_result* result);
 
 /* Whether no triangle is flipped and nothing overlaps, by exact arithmetic. */
-int abflat_is_valid(const abflat_result* result);
+ABFLAT_API int abflat_is_valid(const abflat_result* result);
 
 /* JSON text; its keys are those of docs/report.md. */
-const char* abflat_report(const abflat_result* result);
+ABFLAT_API const char* abflat_report(const abflat_result* result);
 
 /* Arrays of a result, which owns them. The vertices of the input come first; on seams, copies of
    them follow. `count` is the number of vertices or triangles; it may be NULL. */
-const uint32_t* abflat_vertices(const abflat_result* result, size_t* count); /* of the input */
-const double* abflat_uv(const abflat_result* result, size_t* count); /* u, v of each vertex */
+ABFLAT_API const uint32_t* abflat_vertices(const abflat_result* result,
+                                           size_t* count); /* of the input */
+ABFLAT_API const double* abflat_uv(const abflat_result* result,
+                                   size_t* count); /* u, v of each vertex */
 /* 3 vertices each, in the order of the input. */
-const uint32_t* abflat_triangles(const abflat_result* result, size_t* count);
-const uint32_t* abflat_charts(const abflat_result* result, size_t* count); /* of each triangle */
+ABFLAT_API const uint32_t* abflat_triangles(const abflat_result* result, size_t* count);
+ABFLAT_API const uint32_t* abflat_charts(const abflat_result* result,
+                                         size_t* count); /* of each triangle */
 
 #ifdef __cplusplus
 }

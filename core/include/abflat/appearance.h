@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/io.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
@@ -47,8 +48,10 @@ struct Appearance {
 };
 
 /// Appearance from the file that `mesh` was read from: an OBJ with its material files and their
-/// images, or a PLY. Empty for other formats. Values that cannot be read are left out.
-Appearance readAppearance(std::string_view bytes, MeshFormat format, const PolygonMesh& mesh,
-                          const ReadResource& readResource);
+/// images, or a PLY. Empty for other formats. Values that cannot be read are left out. Errors:
+/// OutOfMemory.
+ABFLAT_API Result<Appearance> readAppearance(std::string_view bytes, MeshFormat format,
+                                             const PolygonMesh& mesh,
+                                             const ReadResource& readResource);
 
 }  // namespace abflat

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/flatten.h"
 #include "abflat/generated/method_result.h"
 #include "abflat/inspect.h"
@@ -32,10 +33,10 @@ struct CompareOptions {
 /// first one. Errors: InvalidMesh, EmptyMesh, DegenerateFace, NonManifoldEdge,
 /// InconsistentOrientation, MultipleComponents, ClosedSurface, MultipleBoundaryLoops, HasHandles,
 /// Aborted.
-Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& options);
+ABFLAT_API Result<Comparison> compare(const PolygonMesh& mesh, const CompareOptions& options);
 
 /// The comparison as JSON text, indented by two spaces, without uv; keys as in docs/report.md.
 /// Numbers that are not finite are null.
-std::string compareJson(const Comparison& comparison, const std::string& path);
+ABFLAT_API std::string compareJson(const Comparison& comparison, const std::string& path);
 
 }  // namespace abflat

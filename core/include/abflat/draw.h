@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/flatten.h"
 #include "abflat/unwrap.h"
 
@@ -22,17 +23,18 @@ struct LayoutDrawingOptions {
 
 /// Draws a layout: edges thin, boundary thick, flipped triangles filled, crossings of the boundary
 /// circled. The distortions and whether it is valid are given below it.
-Drawing drawLayout(const FlattenResult& flat, const LayoutDrawingOptions& options);
+ABFLAT_API Drawing drawLayout(const FlattenResult& flat, const LayoutDrawingOptions& options);
 
 /// The same frame, with a sentence in place of a layout that does not exist.
-Drawing drawReason(const std::string& reason, const LayoutDrawingOptions& options);
+ABFLAT_API Drawing drawReason(const std::string& reason, const LayoutDrawingOptions& options);
 
 /// Draws the mesh itself, shaded, from the side that shows most of its outside.
-Drawing drawSurface(const PolygonMesh& mesh, const LayoutDrawingOptions& options);
+ABFLAT_API Drawing drawSurface(const PolygonMesh& mesh, const LayoutDrawingOptions& options);
 
 /// The non-zeros of the system matrix (8) at the solution for a mesh that is a disk, with its
 /// blocks: Hessian, triangles, vertices, wheels, active bounds. Errors: those of flatten.
-Result<Drawing> drawKktMatrix(const PolygonMesh& mesh, double t, Formulation formulation);
+ABFLAT_API Result<Drawing> drawKktMatrix(const PolygonMesh& mesh, double t,
+                                         Formulation formulation);
 
 /// Values at 1, 2, 3, ... Values that are not above 0 do not fit a logarithmic axis and are drawn
 /// at its lower end.
@@ -46,14 +48,14 @@ struct PlotOptions {
 };
 
 /// Curves over a linear horizontal and a logarithmic vertical axis; colours follow their order.
-Drawing drawLogPlot(const std::vector<Curve>& curves, const PlotOptions& options);
+ABFLAT_API Drawing drawLogPlot(const std::vector<Curve>& curves, const PlotOptions& options);
 
 /// Names of curves beside samples of their lines, one below the other.
-Drawing drawLegend(const std::vector<std::string>& names, double width);
+ABFLAT_API Drawing drawLegend(const std::vector<std::string>& names, double width);
 
 /// A whole SVG file: a heading and the drawings, at most `columns` in a row.
-std::string svgFile(const std::string& heading, const std::vector<Drawing>& drawings,
-                    std::size_t columns);
+ABFLAT_API std::string svgFile(const std::string& heading, const std::vector<Drawing>& drawings,
+                               std::size_t columns);
 
 /// The largest atlas that is drawn in pixels.
 constexpr int kMostPictureTexels = 16384;
@@ -62,16 +64,17 @@ constexpr int kMostPictureTexels = 16384;
 /// colours, edges thin, outlines thick, transparent elsewhere. Tiles lie side by side. `mesh` is
 /// the mesh that was unwrapped. Errors: InvalidOption when a side would be above
 /// kMostPictureTexels.
-Result<std::string> atlasPng(const PolygonMesh& mesh, const UnwrapResult& result);
+ABFLAT_API Result<std::string> atlasPng(const PolygonMesh& mesh, const UnwrapResult& result);
 
 /// The same as an SVG file, with a group for each chart. `millimetres` is the length of one mesh
 /// unit: the picture gets the size at which charts are as large as their surface. With 0, a texel
 /// is a pixel.
-std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double millimetres = 0);
+ABFLAT_API std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result,
+                                double millimetres = 0);
 
 /// The atlas as a PNG file, with each face coloured by its area in uv divided by its area in 3D,
 /// relative to the whole atlas: 1/2 and below blue, 1 white, 2 and above red, faces without area
 /// grey. Outlines and errors as in atlasPng.
-Result<std::string> heatMapPng(const PolygonMesh& mesh, const UnwrapResult& result);
+ABFLAT_API Result<std::string> heatMapPng(const PolygonMesh& mesh, const UnwrapResult& result);
 
 }  // namespace abflat

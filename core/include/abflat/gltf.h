@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "abflat/appearance.h"
+#include "abflat/export.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
 
@@ -26,7 +27,7 @@ struct GltfModel {
 };
 
 /// Whether the bytes begin like a .glb or .gltf file.
-bool looksLikeGltf(std::string_view bytes);
+ABFLAT_API bool looksLikeGltf(std::string_view bytes);
 
 struct GltfReadOptions {
   std::size_t texcoord = 0;  ///< N of the TEXCOORD_N to read
@@ -37,13 +38,14 @@ struct GltfReadOptions {
 
 /// Reads a .glb or .gltf file. `fileName` is used in messages only. Errors: ParseError,
 /// UnreadableFile (a file it refers to); messages name file and place.
-Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
-                           const ReadResource& readResource, const GltfReadOptions& options = {});
+ABFLAT_API Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
+                                      const ReadResource& readResource,
+                                      const GltfReadOptions& options = {});
 
 /// A glTF repeats vertices where normals or texcoords change. Makes faces use the first vertex at
 /// each position, unless the mesh is already a disk, which may be because it was cut. Returns how
 /// many vertices are no longer used.
-std::size_t joinVertices(PolygonMesh& mesh);
+ABFLAT_API std::size_t joinVertices(PolygonMesh& mesh);
 
 struct GltfWriteOptions {
   bool isBinary = true;      ///< .glb; otherwise .gltf with the buffer in a data URI
@@ -60,9 +62,9 @@ struct GltfWriteOptions {
 /// else stays, but uncompressed: bytes that nothing refers to any more are dropped, and all buffers
 /// become one. Missing TEXCOORD sets below the written one get the same texcoords. Errors:
 /// CannotWrite (a .glb of 4 GB).
-Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
-                              const std::vector<std::uint32_t>& cornerUv,
-                              const GltfWriteOptions& options);
+ABFLAT_API Result<std::string> writeGltf(const gltf::Source& source, const std::vector<double>& uv,
+                                         const std::vector<std::uint32_t>& cornerUv,
+                                         const GltfWriteOptions& options);
 
 struct GltfMakeOptions {
   bool isBinary = true;      ///< as in GltfWriteOptions
@@ -77,30 +79,31 @@ struct GltfMakeOptions {
 /// and positions relative to them. The mesh's own texcoords become set 0 if another set is
 /// written; if set 0 is written and an image needs them, they become set 1. `uv` may be empty to
 /// write no texcoords. Errors: CannotWrite (a .glb of 4 GB, a coordinate that is too large).
-Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
-                             const std::vector<std::uint32_t>& cornerUv,
-                             const std::vector<std::uint32_t>& triangleCorners,
-                             const Appearance& look, const GltfMakeOptions& options);
+ABFLAT_API Result<std::string> makeGltf(const PolygonMesh& mesh, const std::vector<double>& uv,
+                                        const std::vector<std::uint32_t>& cornerUv,
+                                        const std::vector<std::uint32_t>& triangleCorners,
+                                        const Appearance& look, const GltfMakeOptions& options);
 
 /// Says how far coordinates are from the origin, or how far a made glTF moves them, if that would
 /// show. Empty if nothing does.
-std::string originNote(const PolygonMesh& mesh, const std::vector<std::uint32_t>& triangleCorners);
+ABFLAT_API std::string originNote(const PolygonMesh& mesh,
+                                  const std::vector<std::uint32_t>& triangleCorners);
 
 /// Corners of the triangles that represent the faces if there is no layout.
-std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh);
+ABFLAT_API std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh);
 
 /// N of a TEXCOORD_N that can be written without disturbing any texture: 0 if no texture of the
 /// triangles samples set 0, otherwise the first set that no primitive has and no texture samples.
-std::size_t freeTexcoord(const gltf::Source& source);
+ABFLAT_API std::size_t freeTexcoord(const gltf::Source& source);
 
 /// Says why new texcoords are in a set above 0, and what else to do.
-std::string texcoordNote(const gltf::Source& source, std::size_t texcoord);
+ABFLAT_API std::string texcoordNote(const gltf::Source& source, std::size_t texcoord);
 
 /// Says that the file was compressed with Draco or meshopt, while the output is not. Empty if it
 /// was not compressed.
-std::string compressionNote(const gltf::Source& source);
+ABFLAT_API std::string compressionNote(const gltf::Source& source);
 
 /// What becomes stale with new texcoords, one sentence each.
-std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord);
+ABFLAT_API std::vector<std::string> staleNotes(const gltf::Source& source, std::size_t texcoord);
 
 }  // namespace abflat

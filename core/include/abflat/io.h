@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/generated/mesh_format.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
@@ -12,13 +13,14 @@ namespace abflat {
 
 /// Detects the format by the extension of a file name (see kMeshEndings, any case), or by the first
 /// bytes if the extension is unknown. Errors: UnreadableFile when neither tells.
-Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes);
+ABFLAT_API Result<MeshFormat> detectFormat(std::string_view fileName, std::string_view bytes);
 
 /// Parses a whole file. STL has no connectivity: corners at identical coordinates become one
 /// vertex. `fileName` is used in messages only. Texcoords that cannot be read or do not exist are
 /// dropped, since a mesh does not need them. Errors: ParseError (names file and line, or byte of a
 /// binary file).
-Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::string_view fileName);
+ABFLAT_API Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format,
+                                        std::string_view fileName);
 
 /// OBJ text of the mesh with texcoords; faces keep their order, corner order and degree. `uv` has 2
 /// coordinates per texcoord, `cornerUv` the texcoord of each face corner (size of faceVertices).
@@ -26,9 +28,10 @@ Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat format, std::str
 /// to them, and faces is copied from it byte for byte (positions, comments, groups, materials,
 /// normals). `turnedFaces`, ascending, are those that `mesh` has turned since. Otherwise positions
 /// are written so that they read back to the same doubles.
-std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
-                     const std::vector<std::uint32_t>& cornerUv, std::string_view sourceObj = {},
-                     const std::vector<std::uint32_t>& turnedFaces = {});
+ABFLAT_API std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
+                                const std::vector<std::uint32_t>& cornerUv,
+                                std::string_view sourceObj = {},
+                                const std::vector<std::uint32_t>& turnedFaces = {});
 
 /// PLY of the mesh with texcoords: vertex properties `s` and `t`, stored as `float` if every
 /// coordinate of `uv` fits one exactly and as `double` otherwise. Arguments as for writeObj.
@@ -36,13 +39,16 @@ std::string writeObj(const PolygonMesh& mesh, const std::vector<double>& uv,
 /// others. When `sourcePly` is the PLY file that `mesh` was read from, its encoding and all other
 /// elements, properties and comments are copied byte for byte, and its own texcoords are replaced;
 /// otherwise the file is binary.
-std::string writePly(const PolygonMesh& mesh, const std::vector<double>& uv,
-                     const std::vector<std::uint32_t>& cornerUv, std::string_view sourcePly = {});
+ABFLAT_API std::string writePly(const PolygonMesh& mesh, const std::vector<double>& uv,
+                                const std::vector<std::uint32_t>& cornerUv,
+                                std::string_view sourcePly = {});
 
 /// A file of any format that has a precision; empty for one that is only read. Arguments as for
 /// writeObj; `source` is a file of the same format.
-std::string writeMesh(MeshFormat format, const PolygonMesh& mesh, const std::vector<double>& uv,
-                      const std::vector<std::uint32_t>& cornerUv, std::string_view source = {},
-                      const std::vector<std::uint32_t>& turnedFaces = {});
+ABFLAT_API std::string writeMesh(MeshFormat format, const PolygonMesh& mesh,
+                                 const std::vector<double>& uv,
+                                 const std::vector<std::uint32_t>& cornerUv,
+                                 std::string_view source = {},
+                                 const std::vector<std::uint32_t>& turnedFaces = {});
 
 }  // namespace abflat

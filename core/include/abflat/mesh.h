@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/status.h"
 
 namespace abflat {
@@ -38,10 +39,11 @@ struct PolygonMesh {
 };
 
 /// Makes a mesh of triangles only. `indices` has 3 vertices per triangle.
-PolygonMesh makeTriangleMesh(std::vector<double> positions, std::vector<std::uint32_t> indices);
+ABFLAT_API PolygonMesh makeTriangleMesh(std::vector<double> positions,
+                                        std::vector<std::uint32_t> indices);
 
 /// Checks arrays that did not come from a file: index ranges, finite coordinates, face sizes.
 /// Errors: InvalidMesh (names vertex, face or corner).
-Status validateArrays(const PolygonMesh& mesh);
+ABFLAT_API Status validateArrays(const PolygonMesh& mesh);
 
 }  // namespace abflat

@@ -2,13 +2,14 @@
 
 #include <string_view>
 
+#include "abflat/export.h"
 #include "abflat/generated/flatten_options.h"
 #include "abflat/generated/unwrap_options.h"
 
 namespace abflat {
 
 /// The whole text must be a number, with a point in every locale. "inf" and "nan" count as numbers.
-bool readNumber(std::string_view text, double& value);
+ABFLAT_API bool readNumber(std::string_view text, double& value);
 
 /// Reads a value of the option with this index in optionInfos(), as on the command line: one of its
 /// words, a number with or without one of its units ("3G"), or "true" and "false" for a switch.

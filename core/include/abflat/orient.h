@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/mesh.h"
 
 namespace abflat {
@@ -13,13 +14,13 @@ namespace abflat {
 /// closed parts, and parts of which less than three quarters agree, face outwards. Edges that are
 /// not between two faces join nothing. `goesOn`, if given, is called now and then; once it returns
 /// false, the result is empty.
-std::vector<std::uint32_t> facesToTurn(const PolygonMesh& mesh,
-                                       const std::function<bool()>& goesOn = {});
+ABFLAT_API std::vector<std::uint32_t> facesToTurn(const PolygonMesh& mesh,
+                                                  const std::function<bool()>& goesOn = {});
 
 /// The order of corners that turns these faces: the first corner of a face stays first, the others
 /// are reversed. It leads from the mesh to the one with turned faces, and back.
-std::vector<std::uint32_t> turnedCorners(const PolygonMesh& mesh,
-                                         const std::vector<std::uint32_t>& faces);
+ABFLAT_API std::vector<std::uint32_t> turnedCorners(const PolygonMesh& mesh,
+                                                    const std::vector<std::uint32_t>& faces);
 
 /// Values per corner, in such an order.
 template <class T>
@@ -31,6 +32,6 @@ std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::ui
 }
 
 /// Turns faces together with their texcoords.
-void turnFaces(const std::vector<std::uint32_t>& faces, PolygonMesh& mesh);
+ABFLAT_API void turnFaces(const std::vector<std::uint32_t>& faces, PolygonMesh& mesh);
 
 }  // namespace abflat

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
 
@@ -25,6 +26,6 @@ struct PinnedMesh {
 /// are complex numbers a + ib. Errors: those of validateArrays; InvalidOption for polygons, for a
 /// wrong number of uv, for pins that do not exist, are there twice or are at one place, and for a
 /// singular system.
-Result<std::vector<double>> pinWeights(const PinnedMesh& layout);
+ABFLAT_API Result<std::vector<double>> pinWeights(const PinnedMesh& layout);
 
 }  // namespace abflat

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/mesh.h"
 
 namespace abflat {
@@ -19,6 +20,6 @@ struct Sample {
 constexpr double kMinSampleDetail = 1;
 constexpr double kMaxSampleDetail = 1000;
 
-const std::vector<Sample>& samples();
+ABFLAT_API const std::vector<Sample>& samples();
 
 }  // namespace abflat

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/status.h"
 
 namespace abflat {
@@ -24,6 +25,6 @@ struct SeamSources {
 
 /// Parses a list of sources such as "auto,sharp=60": "auto", "hard", "uv", "material",
 /// "none" or "sharp=DEGREES", which is above 0 and at most 180. Errors: InvalidOption.
-Result<SeamSources> parseSeams(std::string_view text);
+ABFLAT_API Result<SeamSources> parseSeams(std::string_view text);
 
 }  // namespace abflat

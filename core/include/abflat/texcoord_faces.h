@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
 
@@ -11,6 +12,6 @@ namespace abflat {
 /// Faces that have texcoords at all of their corners, ascending. Passed as
 /// ReuseOptions::fixedFaces, they keep these texcoords. Errors: InvalidOption when the mesh has no
 /// texcoords.
-Result<std::vector<std::uint32_t>> facesWithTexcoords(const PolygonMesh& mesh);
+ABFLAT_API Result<std::vector<std::uint32_t>> facesWithTexcoords(const PolygonMesh& mesh);
 
 }  // namespace abflat

@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "abflat/export.h"
 #include "abflat/flatten.h"
 #include "abflat/generated/mesh_format.h"
 #include "abflat/generated/unwrap_options.h"
 #include "abflat/generated/unwrap_report.h"
 #include "abflat/mesh.h"
+#include "abflat/mesh_view.h"
 #include "abflat/pins.h"
 #include "abflat/seam_sources.h"
 
@@ -97,16 +99,19 @@ struct UnwrapResult {
 /// Cuts any mesh into charts, flattens each by its angles and packs them into the unit square, or
 /// into as many tiles as needed. The result is valid when every chart is valid and no two overlap.
 /// Errors: InvalidOption, InvalidMesh, EmptyMesh, AtlasTooSmall, Aborted.
-Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
+ABFLAT_API Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options);
+
+/// The same for triangles in the caller's memory.
+ABFLAT_API Result<UnwrapResult> unwrap(const MeshView& mesh, const UnwrapOptions& options);
 
 /// Turns the faces of a mesh that its layout has turned (UnwrapOptions::orient). The corners of the
 /// result are those of the changed mesh from then on, so that the two can be written together.
-void turnFaces(PolygonMesh& mesh, UnwrapResult& result);
+ABFLAT_API void turnFaces(PolygonMesh& mesh, UnwrapResult& result);
 
 /// What a later run can reuse of this one. It is indexed by output vertices, not by texcoords.
-KnownLayout knownLayout(const UnwrapResult& earlier);
+ABFLAT_API KnownLayout knownLayout(const UnwrapResult& earlier);
 
 /// The report as JSON text, indented by two spaces; keys as in docs/report.md.
-std::string unwrapReportJson(const UnwrapReport& report);
+ABFLAT_API std::string unwrapReportJson(const UnwrapReport& report);
 
 }  // namespace abflat

@@ -1,6 +1,5 @@
 #include "abflat/abflat.h"
 
-#include <cstring>
 #include <new>
 #include <string>
 #include <utility>
@@ -52,34 +51,39 @@ Status set(UnwrapOptions& options, const std::string& name, const std::string& t
   return unknown(name);
 }
 
-double coordinate(const abflat_mesh& mesh, const char* at) {
-  if (mesh.positions_are_floats != 0) {
-    float x = 0;
-    std::memcpy(&x, at, sizeof x);
-    return x;
-  }
-  double x = 0;
-  std::memcpy(&x, at, sizeof x);
-  return x;
+PointView pointsOf(const abflat_mesh& mesh) {
+  const auto view = [&](const auto* first) {
+    const std::size_t stride = mesh.position_stride != 0 ? mesh.position_stride : 3 * sizeof *first;
+    return PointView(first, mesh.vertex_count, stride);
+  };
+  return mesh.positions_are_floats != 0 ? view(static_cast<const float*>(mesh.positions))
+                                        : view(static_cast<const double*>(mesh.positions));
 }
 
-PolygonMesh copied(const abflat_mesh& mesh) {
-  const std::size_t size = mesh.positions_are_floats != 0 ? sizeof(float) : sizeof(double);
-  const std::size_t stride = mesh.position_stride != 0 ? mesh.position_stride : 3 * size;
-  std::vector<double> positions;
-  positions.reserve(3 * mesh.vertex_count);
-  for (std::size_t v = 0; v < mesh.vertex_count; ++v)
-    for (std::size_t d = 0; d < 3; ++d)
-      positions.push_back(
-          coordinate(mesh, static_cast<const char*>(mesh.positions) + v * stride + d * size));
-  return makeTriangleMesh(
-      std::move(positions),
-      std::vector<std::uint32_t>(mesh.triangles, mesh.triangles + 3 * mesh.triangle_count));
+TriangleView trianglesOf(const abflat_mesh& mesh) {
+  const auto view = [&](const auto* first) {
+    const std::size_t stride = mesh.triangle_stride != 0 ? mesh.triangle_stride : 3 * sizeof *first;
+    return TriangleView(first, mesh.triangle_count, stride);
+  };
+  switch (mesh.index_size) {
+    case 2:
+      return view(static_cast<const std::uint16_t*>(mesh.triangles));
+    case 8:
+      return view(static_cast<const std::uint64_t*>(mesh.triangles));
+    default:
+      return view(static_cast<const std::uint32_t*>(mesh.triangles));
+  }
+}
+
+Status checkIndexSize(std::size_t size) {
+  if (size == 0 || size == 2 || size == 4 || size == 8) return {};
+  return {StatusCode::InvalidMesh,
+          "index_size is " + std::to_string(size) + "; it must be 2, 4, 8, or 0 for 4"};
 }
 
 Status unwrapInto(abflat_result& out, const abflat_mesh& mesh, const UnwrapOptions& options) {
-  const PolygonMesh input = copied(mesh);
-  Result<UnwrapResult> result = unwrap(input, options);
+  if (Status s = checkIndexSize(mesh.index_size); !s.ok()) return s;
+  Result<UnwrapResult> result = unwrap(MeshView{pointsOf(mesh), trianglesOf(mesh)}, options);
   if (!result.ok()) return result.status();
   out.unwrapped = std::move(result.value());
   const UnwrapResult& r = out.unwrapped;

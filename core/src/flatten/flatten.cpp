@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "abflat/mesh.h"
 #include "base/guarded.h"
 #include "base/listener.h"
 #include "base/parallel.h"
@@ -13,6 +12,7 @@
 #include "flatten/chosen_solver.h"
 #include "flatten/flatten_chart.h"
 #include "flatten/refine_chart.h"
+#include "mesh/input_mesh.h"
 #include "mesh/surface.h"
 #include "pin/chart_pins.h"
 
@@ -41,7 +41,9 @@ struct Prepared {
   Texcoords texcoords;
 };
 
-Result<Prepared> prepare(const PolygonMesh& mesh, const Listener& listener) {
+Result<Prepared> prepare(const InputMesh& input, const Listener& listener) {
+  if (!input.polygons()) return prepare(input.copy(), listener);  // freed with the connectivity
+  const PolygonMesh& mesh = *input.polygons();
   Surface surface = buildSurface(mesh, listener);
   if (listener.isStopped()) return Status{StatusCode::Aborted, "cancelled"};
   if (!surface.summary.disk.ok()) return surface.summary.disk;
@@ -55,7 +57,7 @@ Result<Prepared> prepare(const PolygonMesh& mesh, const Listener& listener) {
 /// One run, stage by stage.
 class Flattening {
  public:
-  Flattening(const PolygonMesh& mesh, const FlattenOptions& options)
+  Flattening(const InputMesh& mesh, const FlattenOptions& options)
       : mesh_(mesh), options_(options), listener_(options.progress) {}
 
   Result<FlattenResult> run() {
@@ -81,7 +83,7 @@ class Flattening {
       return {StatusCode::InvalidOption,
               "delaunay is a condition on angles, which a balance above 0 changes. Use only one of "
               "them"};
-    return validateArrays(mesh_);
+    return mesh_.validate();
   }
 
   Status seeDisk() {
@@ -167,7 +169,7 @@ class Flattening {
     out_.cornerUv.assign(ofCorner.begin(), ofCorner.end());
   }
 
-  const PolygonMesh& mesh_;
+  const InputMesh mesh_;
   const FlattenOptions& options_;
   const Listener listener_;
   Stopwatch watch_;
@@ -184,6 +186,10 @@ class Flattening {
 }  // namespace
 
 Result<FlattenResult> flatten(const PolygonMesh& mesh, const FlattenOptions& options) {
+  return guarded([&] { return Flattening(mesh, options).run(); });
+}
+
+Result<FlattenResult> flatten(const MeshView& mesh, const FlattenOptions& options) {
   return guarded([&] { return Flattening(mesh, options).run(); });
 }
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "abflat/mesh.h"
+#include "mesh/input_mesh.h"
 #include "mesh/surface.h"
 #include "mesh/welded_mesh.h"
 
@@ -12,10 +12,10 @@ namespace abflat {
 /// through triangulation and welding to the user's mesh, and back. Refers to all three.
 class SurfaceMap {
  public:
-  SurfaceMap(const PolygonMesh& input, const WeldedMesh& welded, const Surface& surface)
+  SurfaceMap(const InputMesh& input, const WeldedMesh& welded, const Surface& surface)
       : input_(input), welded_(welded), surface_(surface) {}
 
-  const PolygonMesh& input() const { return input_; }
+  const InputMesh& input() const { return input_; }
   const WeldedMesh& welded() const { return welded_; }
   const Surface& surface() const { return surface_; }
 
@@ -25,7 +25,7 @@ class SurfaceMap {
   InputCorner corner(SurfaceCorner c) const {
     return welded_.inputCorner[surface_.triangulation.corner[c]];
   }
-  InputVertex vertex(SurfaceCorner c) const { return InputVertex(input_.faceVertices[corner(c)]); }
+  InputVertex vertex(SurfaceCorner c) const { return InputVertex(input_.vertex(corner(c))); }
 
   /// For each input corner, the value of its surface corners, which all have the same; T() if the
   /// corner bounds nothing.
@@ -41,7 +41,7 @@ class SurfaceMap {
   }
 
  private:
-  const PolygonMesh& input_;
+  InputMesh input_;
   const WeldedMesh& welded_;
   const Surface& surface_;
 };

@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include "abflat/mesh.h"
+#include "base/ids.h"
+#include "mesh/input_mesh.h"
 
 namespace abflat {
 namespace {
@@ -37,15 +39,37 @@ Status validateExtras(const PolygonMesh& mesh) {
   return validateCorners(mesh, mesh.faceNormals, mesh.normals, 3, "normal");
 }
 
+Status notFinite(std::size_t vertex) {
+  return invalidMesh("vertex " + std::to_string(vertex) + " has a coordinate that is not finite");
+}
+
+Status noSuchVertex(std::size_t face, std::uint64_t vertex, std::size_t vertices) {
+  return invalidMesh("face " + std::to_string(face) + " refers to vertex " +
+                     std::to_string(vertex) + ", but there are only " + std::to_string(vertices) +
+                     " vertices (indices start at 0)");
+}
+
+Status validateView(const MeshView& mesh) {
+  const std::size_t vertices = mesh.positions.size();
+  if (vertices > kNone || mesh.triangles.size() > kNone / 3)
+    return invalidMesh("the mesh has more than 4294967295 vertices or face corners");
+  for (std::size_t v = 0; v < vertices; ++v)
+    for (const double x : mesh.positions[v])
+      if (!std::isfinite(x)) return notFinite(v);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::uint64_t v = mesh.triangles.vertex(f, k); v >= vertices)
+        return noSuchVertex(f, v, vertices);
+  return {};
+}
+
 }  // namespace
 
 Status validateArrays(const PolygonMesh& mesh) {
   if (mesh.positions.size() % 3 != 0)
     return invalidMesh("the number of coordinates is not a multiple of 3");
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    if (!std::isfinite(mesh.positions[i]))
-      return invalidMesh("vertex " + std::to_string(i / 3) +
-                         " has a coordinate that is not finite");
+    if (!std::isfinite(mesh.positions[i])) return notFinite(i / 3);
   if (mesh.faceOffsets.empty()
           ? !mesh.faceVertices.empty()
           : mesh.faceOffsets.front() != 0 || mesh.faceOffsets.back() != mesh.faceVertices.size())
@@ -56,11 +80,13 @@ Status validateArrays(const PolygonMesh& mesh) {
       return invalidMesh("face " + std::to_string(f) + " has fewer than 3 corners");
     for (std::uint32_t c = begin; c < end && c < mesh.faceVertices.size(); ++c)
       if (mesh.faceVertices[c] >= mesh.vertexCount())
-        return invalidMesh("face " + std::to_string(f) + " refers to vertex " +
-                           std::to_string(mesh.faceVertices[c]) + ", but there are only " +
-                           std::to_string(mesh.vertexCount()) + " vertices (indices start at 0)");
+        return noSuchVertex(f, mesh.faceVertices[c], mesh.vertexCount());
   }
   return validateExtras(mesh);
+}
+
+Status InputMesh::validate() const {
+  return polygons_ ? validateArrays(*polygons_) : validateView(*view_);
 }
 
 }  // namespace abflat

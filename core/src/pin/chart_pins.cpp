@@ -19,16 +19,16 @@ struct Use {
 };
 
 /// All corners at pinned vertices, by vertex.
-std::vector<Use> findUses(const PolygonMesh& mesh, const Texcoords& texcoords,
+std::vector<Use> findUses(const InputMesh& mesh, const Texcoords& texcoords,
                           const std::vector<Pin>& pins) {
   std::vector<std::uint8_t> isPinned(mesh.vertexCount(), 0);
   for (const Pin& pin : pins)
     if (pin.vertex < isPinned.size()) isPinned[pin.vertex] = 1;
   std::vector<Use> uses;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-    for (InputCorner c(mesh.faceOffsets[f]); c < mesh.faceOffsets[f + 1]; ++c)
-      if (isPinned[mesh.faceVertices[c]] && texcoords.ofCorner[c].exists())
-        uses.push_back({mesh.faceVertices[c], f, texcoords.ofCorner[c]});
+    for (InputCorner c(mesh.firstCorner(f)); c < mesh.firstCorner(f + 1); ++c)
+      if (isPinned[mesh.vertex(c)] && texcoords.ofCorner[c].exists())
+        uses.push_back({mesh.vertex(c), f, texcoords.ofCorner[c]});
   std::stable_sort(uses.begin(), uses.end(),
                    [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
   return uses;
@@ -48,8 +48,7 @@ std::string facesToChoose(std::vector<Use> uses) {
   return count > kMost ? out + ", ..." : out;
 }
 
-Result<TexcoordId> texcoordOf(const PolygonMesh& mesh, const std::vector<Use>& uses,
-                              const Pin& pin) {
+Result<TexcoordId> texcoordOf(const InputMesh& mesh, const std::vector<Use>& uses, const Pin& pin) {
   if (pin.vertex >= mesh.vertexCount())
     return invalid(nameOf(pin) + " is pinned, but the mesh has " +
                    std::to_string(mesh.vertexCount()) + " vertices (indices start at 0)");
@@ -111,7 +110,7 @@ Status checkApart(std::vector<Found>& found) {
 
 }  // namespace
 
-Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh& mesh,
+Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const InputMesh& mesh,
                                                               const Texcoords& texcoords,
                                                               const std::vector<Pin>& pins) {
   const std::size_t charts = texcoords.firstOf.size() - 1;

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "abflat/mesh.h"
 #include "abflat/pins.h"
 #include "abflat/status.h"
 #include "chart/ids.h"
 #include "mesh/ids.h"
+#include "mesh/input_mesh.h"
 #include "pin/pinned_layout.h"
 
 namespace abflat {
@@ -19,7 +19,7 @@ struct Texcoords {
 
 /// The pins of each chart, at their uv. Errors: InvalidOption for a pin that does not determine a
 /// texcoord and a place, for two pins that contradict each other, and for a single pin in a chart.
-Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const PolygonMesh& mesh,
+Result<IdVector<ChartId, std::vector<ChartPin>>> pinsOfCharts(const InputMesh& mesh,
                                                               const Texcoords& texcoords,
                                                               const std::vector<Pin>& pins);
 

@@ -55,7 +55,7 @@ bool hasSameTexcoord(const CornerTexcoords& given, InputCorner cornerA, InputCor
 }
 
 Status markIslands(const SurfaceMap& map, Seams& seams) {
-  const PolygonMesh& input = map.input();
+  const PolygonMesh& input = map.input().extras();
   if (input.faceTexcoords.empty())
     return {
         StatusCode::InvalidOption,
@@ -69,7 +69,7 @@ Status markIslands(const SurfaceMap& map, Seams& seams) {
 }
 
 Status markMaterials(const SurfaceMap& map, Seams& seams) {
-  const PolygonMesh& input = map.input();
+  const PolygonMesh& input = map.input().extras();
   if (input.faceMaterials.empty())
     return {StatusCode::InvalidOption,
             "the mesh has no materials to cut between. Leave material out of the seams"};
@@ -88,7 +88,7 @@ std::string nameOf(const EdgeVertices& e) {
 
 /// Coincident vertices are the same here.
 Status markEdges(const SurfaceMap& map, const std::vector<EdgeVertices>& edges, Seams& seams) {
-  const PolygonMesh& input = map.input();
+  const InputMesh& input = map.input();
   const auto firstAtPlace = [&](std::uint32_t v) {
     return map.welded().firstAtPlace[InputVertex(v)];
   };

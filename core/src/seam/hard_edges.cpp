@@ -25,7 +25,8 @@ std::vector<double> unitNormals(std::vector<double> normals) {
 /// Decides by the normals that corners have, or their triangles.
 class Normals {
  public:
-  explicit Normals(const SurfaceMap& map) : map_(map), normals_(unitNormals(map.input().normals)) {}
+  explicit Normals(const SurfaceMap& map)
+      : map_(map), normals_(unitNormals(map.input().extras().normals)) {}
 
   bool areHard(SurfaceCorner h, SurfaceCorner twin) const {
     return differAt(h, nextCorner(twin)) || differAt(nextCorner(h), twin);
@@ -39,7 +40,7 @@ class Normals {
 
   /// kNoNormal if it has no direction.
   std::uint32_t numberOf(SurfaceCorner c) const {
-    const std::uint32_t i = map_.input().faceNormals[map_.corner(c)];
+    const std::uint32_t i = map_.input().extras().faceNormals[map_.corner(c)];
     return i == kNoNormal || given(i) == Vec3{} ? kNoNormal : i;
   }
 
@@ -56,7 +57,7 @@ class Normals {
 
 /// Whether smoothing groups make the edge between two triangles hard.
 bool areHardByGroups(const SurfaceMap& map, SurfaceTriangle f, SurfaceTriangle g) {
-  const std::vector<std::uint32_t>& groups = map.input().faceSmoothing;
+  const std::vector<std::uint32_t>& groups = map.input().extras().faceSmoothing;
   const std::uint32_t group = groups[map.face(f)];
   if (group != groups[map.face(g)]) return true;
   return group == 0 && doNormalsDiffer(facetNormal(map, f), facetNormal(map, g));
@@ -65,8 +66,8 @@ bool areHardByGroups(const SurfaceMap& map, SurfaceTriangle f, SurfaceTriangle g
 }  // namespace
 
 Seams hardEdges(const SurfaceMap& map) {
-  const bool hasNormals = !map.input().faceNormals.empty();
-  if (!hasNormals && map.input().faceSmoothing.empty()) return {};
+  const bool hasNormals = !map.input().extras().faceNormals.empty();
+  if (!hasNormals && map.input().extras().faceSmoothing.empty()) return {};
   const Surface& surface = map.surface();
   const Normals normals(map);
   Seams out(surface.table.vertex.size(), 0);
@@ -80,7 +81,7 @@ Seams hardEdges(const SurfaceMap& map) {
 }
 
 void addMaterialBorders(const SurfaceMap& map, Seams& breaks) {
-  const auto& materials = map.input().faceMaterials;
+  const auto& materials = map.input().extras().faceMaterials;
   if (materials.empty()) return;
   const IdVector<SurfaceCorner, SurfaceCorner>& twin = map.surface().table.twin;
   breaks.resize(twin.size(), 0);

@@ -12,7 +12,7 @@ using PartFlags = IdVector<PartId, std::uint8_t>;
 
 /// What tells faces of the same shape from each other: they share texels.
 std::uint64_t markOf(const SurfaceMap& map, InputFace f, const UnwrapOptions& options) {
-  const auto& materials = map.input().faceMaterials;
+  const auto& materials = map.input().extras().faceMaterials;
   const double density = options.faceDensities.empty() ? 1 : options.faceDensities[f];
   return bitsOf(density) * 31 + (materials.empty() ? 0 : materials[f]);
 }
@@ -30,12 +30,12 @@ Cells markedCells(const SurfaceMap& map, const IdVector<SurfaceTriangle, PartId>
 /// triangles of this one.
 PartFlags oddParts(const SurfaceMap& map, const Cells& cells, const UnfitFaces& unfit) {
   PartFlags out(cells.parts, 0);
-  const std::vector<std::uint32_t>& offsets = map.input().faceOffsets;
   IdVector<InputFace, std::uint8_t> isUnfit(map.input().faceCount(), 0);
   for (const std::uint32_t f : unfit) isUnfit[InputFace(f)] = 1;
   for (const PolygonFace f : cells.part.ids()) {
     const InputFace face = map.welded().inputFace[f];
-    const bool isWhole = cells.size(f) == offsets[face + 1] - offsets[face];
+    const bool isWhole =
+        cells.size(f) == map.input().firstCorner(face + 1) - map.input().firstCorner(face);
     if (cells.part[f].exists() && (isUnfit[face] || !isWhole)) out[cells.part[f]] = 1;
   }
   return out;

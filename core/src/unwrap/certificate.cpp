@@ -66,7 +66,7 @@ void reportStacked(const WrittenAtlas& atlas, UnwrapReport& report) {
 
 }  // namespace
 
-void certify(const PolygonMesh& input, const WeldedMesh& welded, Numbers numbers,
+void certify(const InputMesh& input, const WeldedMesh& welded, Numbers numbers,
              UnwrapResult& result) {
   const std::vector<double> uv = writtenUv(result.uv, numbers);
   std::vector<std::uint32_t> triangles;
@@ -76,8 +76,7 @@ void certify(const PolygonMesh& input, const WeldedMesh& welded, Numbers numbers
   const auto hasArea = [&](std::size_t t) {
     std::array<std::uint32_t, 3> v{};
     for (std::size_t k = 0; k < 3; ++k)
-      v[k] =
-          welded.firstAtPlace[InputVertex(input.faceVertices[result.triangleCorners[3 * t + k]])];
+      v[k] = welded.firstAtPlace[InputVertex(input.vertex(result.triangleCorners[3 * t + k]))];
     return !isDegenerate(cornerAngles(welded.mesh.positions, v));
   };
   WrittenAtlas atlas{uv, triangles, result.chartOfTriangle, hasArea, {}, {}, 1, 0, {}};
@@ -100,13 +99,13 @@ void certify(const PolygonMesh& input, const WeldedMesh& welded, Numbers numbers
   }
 }
 
-std::string foldedFansNote(const PolygonMesh& input, const UnwrapResult& result) {
+std::string foldedFansNote(const InputMesh& input, const UnwrapResult& result) {
   const auto at = [&](std::uint32_t corner) {
     return &result.uv[2 * std::size_t{result.cornerUv[corner]}];
   };
   std::size_t count = 0;
   for (std::size_t f = 0; f < input.faceCount(); ++f) {
-    const std::uint32_t begin = input.faceOffsets[f], end = input.faceOffsets[f + 1];
+    const std::uint32_t begin = input.firstCorner(f), end = input.firstCorner(f + 1);
     const std::uint32_t chart = result.chartOfFace[f];
     const int side = chart != kNoChart && result.report.charts[chart].mirrored ? -1 : 1;
     bool isFolded = false;

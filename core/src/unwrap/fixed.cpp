@@ -20,8 +20,8 @@ namespace {
 Status addFaces(const SurfaceMap& map, const std::vector<std::uint32_t>& faces,
                 FixedTriangles& out) {
   if (faces.empty()) return {};
-  const PolygonMesh& input = map.input();
-  if (input.faceTexcoords.empty()) return invalid("the mesh has no texcoords to keep");
+  const InputMesh& input = map.input();
+  if (input.extras().faceTexcoords.empty()) return invalid("the mesh has no texcoords to keep");
   IdVector<InputFace, std::uint8_t> isNamed(input.faceCount(), 0);
   for (const std::uint32_t face : faces) {
     const InputFace f(face);
@@ -192,9 +192,9 @@ Result<FixedTriangles> fixedTriangles(const SurfaceMap& map, const UnwrapOptions
   if (options.reuse.fixedFaces.empty() && options.reuse.fixedCharts.empty()) return out;
   const CornerTable& table = map.surface().table;
   out.isFixed.assign(table.triangles().size(), 0);
-  out.texcoords = map.input().texcoords;
-  out.ofCorner = map.input().faceTexcoords;
-  out.ofCorner.resize(map.input().faceVertices.size(), kNoTexcoord);
+  out.texcoords = map.input().extras().texcoords;
+  out.ofCorner = map.input().extras().faceTexcoords;
+  out.ofCorner.resize(map.input().cornerCount(), kNoTexcoord);
   if (Status s = addFaces(map, options.reuse.fixedFaces, out); !s.ok()) return s;
   if (Status s = addCharts(map, options, out); !s.ok()) return s;
   growIslands(map, out);

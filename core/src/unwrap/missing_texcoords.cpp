@@ -44,11 +44,11 @@ class Filler {
   };
 
   IdRange<InputCorner> cornersOf(InputFace f) const {
-    const std::vector<std::uint32_t>& offsets = map_.input().faceOffsets;
-    return {InputCorner(offsets[f]), InputCorner(offsets[f + 1])};
+    const InputMesh& input = map_.input();
+    return {InputCorner(input.firstCorner(f)), InputCorner(input.firstCorner(f + 1))};
   }
   InputVertex placeOf(InputCorner c) const {
-    return map_.welded().firstAtPlace[InputVertex(map_.input().faceVertices[c])];
+    return map_.welded().firstAtPlace[InputVertex(map_.input().vertex(c))];
   }
   InputVertex placeOf(SurfaceCorner c) const { return map_.welded().firstAtPlace[map_.vertex(c)]; }
   bool isMissing(InputFace f) const {

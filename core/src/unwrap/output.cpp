@@ -25,23 +25,22 @@ struct VertexCorners {
   std::vector<std::uint32_t> begin;  ///< first corner of each vertex, then the total
 };
 
-VertexCorners cornersByVertex(const PolygonMesh& input) {
+VertexCorners cornersByVertex(const InputMesh& input) {
   VertexCorners out;
   out.begin.assign(input.vertexCount() + 1, 0);
-  for (const std::uint32_t v : input.faceVertices) ++out.begin[v + 1];
+  for (std::size_t c = 0; c < input.cornerCount(); ++c) ++out.begin[input.vertex(c) + 1];
   for (std::size_t v = 0; v < input.vertexCount(); ++v) out.begin[v + 1] += out.begin[v];
   std::vector<std::uint32_t> next(out.begin.begin(), out.begin.end() - 1);
-  out.corners.resize(input.faceVertices.size());
-  for (std::uint32_t c = 0; c < input.faceVertices.size(); ++c)
-    out.corners[next[input.faceVertices[c]]++] = c;
+  out.corners.resize(input.cornerCount());
+  for (std::uint32_t c = 0; c < input.cornerCount(); ++c) out.corners[next[input.vertex(c)]++] = c;
   return out;
 }
 
 /// Makes one output vertex for each pair of input vertex and texcoord that occurs, ordered by input
 /// vertex.
-void splitVertices(const PolygonMesh& input, UnwrapResult& out) {
+void splitVertices(const InputMesh& input, UnwrapResult& out) {
   VertexCorners of = cornersByVertex(input);
-  out.cornerVertex.resize(input.faceVertices.size());
+  out.cornerVertex.resize(input.cornerCount());
   out.vertexMap.reserve(out.uv.size() / 2);
   out.vertexUv.reserve(out.uv.size() / 2);
   const IsBefore isBefore = [&](std::uint32_t a, std::uint32_t b) {
@@ -69,7 +68,7 @@ ChartId chartOf(const Texcoords& texcoords, TexcoordId texcoord) {
 /// The chart of each input face: that of its first triangle, or of its first texcoord if it has no
 /// triangle.
 void listCharts(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& out) {
-  const PolygonMesh& input = mesh.map.input();
+  const InputMesh& input = mesh.map.input();
   const IdVector<SurfaceTriangle, ChartId>& ofTriangle = mesh.set.ofTriangle;
   out.chartOfFace.assign(input.faceCount(), kNoChart);
   for (const SurfaceTriangle t : ofTriangle.ids()) {
@@ -77,7 +76,7 @@ void listCharts(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& o
     if (chart == kNoChart) chart = ofTriangle[t];
   }
   for (const InputFace f : IdRange<InputFace>(input.faceCount())) {
-    const TexcoordId texcoord = texcoords.ofCorner[InputCorner(input.faceOffsets[f])];
+    const TexcoordId texcoord = texcoords.ofCorner[InputCorner(input.firstCorner(f))];
     if (out.chartOfFace[f] == kNoChart && texcoord.exists())
       out.chartOfFace[f] = chartOf(texcoords, texcoord);
   }
@@ -85,7 +84,7 @@ void listCharts(const CutMesh& mesh, const Texcoords& texcoords, UnwrapResult& o
 
 void listTriangles(const CutMesh& mesh, UnwrapResult& out) {
   const SurfaceMap& map = mesh.map;
-  const PolygonMesh& input = map.input();
+  const InputMesh& input = map.input();
   const TriangleOrder order = triangleOrder(map);
   out.triangles.resize(3 * std::size_t{order.firstOfFace.back()});
   out.triangleCorners.resize(out.triangles.size());
@@ -103,10 +102,10 @@ void listTriangles(const CutMesh& mesh, UnwrapResult& out) {
         mesh.set.ofTriangle[t]);
   for (const InputFace f : order.isFolded.ids()) {
     if (!order.isFolded[f]) continue;
-    const std::uint32_t begin = input.faceOffsets[f];
+    const std::uint32_t begin = input.firstCorner(f);
     std::vector<std::uint32_t> places;
-    for (std::uint32_t c = begin; c < input.faceOffsets[f + 1]; ++c)
-      places.push_back(map.welded().firstAtPlace[InputVertex(input.faceVertices[c])]);
+    for (std::uint32_t c = begin; c < input.firstCorner(f + 1); ++c)
+      places.push_back(map.welded().firstAtPlace[InputVertex(input.vertex(c))]);
     std::size_t i = order.firstOfFace[f];
     for (const auto& t : foldedTriangles(places))
       put(i++, {begin + t[0], begin + t[1], begin + t[2]}, out.chartOfFace[f]);

@@ -25,10 +25,10 @@ void weldAndBuild(const PolygonMesh& mesh, bool byPosition, const VertexPairs& j
 
 }  // namespace
 
-Result<WeldedSurface> readSurface(const PolygonMesh& input, const UnwrapOptions& options,
-                                  double unit, const Listener& listener, UnwrapReport& report) {
+Result<WeldedSurface> readSurface(const InputMesh& input, const UnwrapOptions& options, double unit,
+                                  const Listener& listener, UnwrapReport& report) {
   WeldedSurface out;
-  PolygonMesh inUnits = input;
+  PolygonMesh inUnits = input.copy();
   for (double& x : inUnits.positions) x /= unit;
   report.input = inspect(inUnits, listener);
   // A disk may be one because it has been cut, so it is not welded, except at poles that are open

@@ -14,7 +14,7 @@ struct WeldedSurface {
 
 /// `unit`: what a length of 1 is to be in the mesh. A listener that has stopped leaves nothing to
 /// be used. Sets what the report says of the input. Errors: EmptyMesh.
-Result<WeldedSurface> readSurface(const PolygonMesh& input, const UnwrapOptions& options,
-                                  double unit, const Listener& listener, UnwrapReport& report);
+Result<WeldedSurface> readSurface(const InputMesh& input, const UnwrapOptions& options, double unit,
+                                  const Listener& listener, UnwrapReport& report);
 
 }  // namespace abflat

@@ -29,7 +29,7 @@ struct CutParts {
 class Stacks {
  public:
   /// Faces of `unfit` are left alone; check() adds others.
-  Stacks(const PolygonMesh& input, const WeldedMesh& welded, const UnwrapOptions& options,
+  Stacks(const InputMesh& input, const WeldedMesh& welded, const UnwrapOptions& options,
          UnfitFaces& unfit)
       : input_(input), welded_(welded), options_(options), unfit_(unfit) {}
 
@@ -58,7 +58,7 @@ class Stacks {
   void keepOnly(const KeptTriangles& kept, Surface& surface, FixedTriangles& fixed);
   void addMatch(const CornerMatch& found);
 
-  const PolygonMesh& input_;
+  InputMesh input_;
   const WeldedMesh& welded_;
   const UnwrapOptions& options_;
   UnfitFaces& unfit_;

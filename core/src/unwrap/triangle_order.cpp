@@ -3,7 +3,7 @@
 namespace abflat {
 
 TriangleOrder triangleOrder(const SurfaceMap& map) {
-  const PolygonMesh& input = map.input();
+  const InputMesh& input = map.input();
   const IdRange<SurfaceTriangle> triangles = map.surface().table.triangles();
   IdVector<InputFace, std::uint32_t> count(input.faceCount(), 0);
   for (const SurfaceTriangle f : triangles) ++count[map.face(f)];
@@ -12,7 +12,7 @@ TriangleOrder triangleOrder(const SurfaceMap& map) {
   out.isFolded.reserve(input.faceCount());
   OutputTriangle next(0);
   for (const InputFace f : count.ids()) {
-    const std::size_t corners = input.faceOffsets[f + 1] - input.faceOffsets[f];
+    const std::size_t corners = input.firstCorner(f + 1) - input.firstCorner(f);
     out.isFolded.push_back(count[f] == 0);
     out.firstOfFace.push_back(next);
     next = OutputTriangle(next + (count[f] == 0 ? corners - 2 : count[f]));

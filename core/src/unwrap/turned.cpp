@@ -26,17 +26,20 @@ std::string orientationNote(const RepairReport& repair, bool isOriented) {
                      : ". Turn faces alike with the option orient");
 }
 
-Result<UnwrapResult> unwrapTurned(const PolygonMesh& mesh, const UnwrapOptions& options,
+Result<UnwrapResult> unwrapTurned(const InputMesh& mesh, const UnwrapOptions& options,
                                   const Listener& listener, UnwrapMesh unwrapAsItIs) {
+  PolygonMesh turned = mesh.copy();
   std::vector<std::uint32_t> faces =
-      facesToTurn(mesh, [&] { return kSurface.of(listener).tell(); });
+      facesToTurn(turned, [&] { return kSurface.of(listener).tell(); });
   if (listener.isStopped()) return Status{StatusCode::Aborted, "cancelled"};
-  if (faces.empty()) return unwrapAsItIs(mesh, options, listener);
-  PolygonMesh turned = mesh;
+  if (faces.empty()) {
+    turned = PolygonMesh();
+    return unwrapAsItIs(mesh, options, listener);
+  }
   turnFaces(faces, turned);
   Result<UnwrapResult> result = unwrapAsItIs(turned, options, listener);
   if (!result.ok()) return result;
-  reorderCorners(turnedCorners(mesh, faces), result.value());
+  reorderCorners(turnedCorners(turned, faces), result.value());
   result.value().report.repair.turnedFaces = std::move(faces);
   return result;
 }

@@ -46,7 +46,8 @@ class UnfitIslands {
       if (!fixed_.isFixed[first] || isTaken[first]) continue;
       Island island;
       const std::uint32_t texcoord = texcoordOf(cornerOf(first, 0));
-      island.isChart = texcoord != kNoTexcoord && 2 * texcoord >= map_.input().texcoords.size();
+      island.isChart =
+          texcoord != kNoTexcoord && 2 * texcoord >= map_.input().extras().texcoords.size();
       island.triangles.push_back(first);
       isTaken[first] = 1;
       for (std::size_t i = 0; i < island.triangles.size(); ++i)
@@ -92,9 +93,10 @@ class UnfitIslands {
   }
 
   bool hasArea(SurfaceTriangle t) const {
-    TriangleVertices v{};
-    for (std::size_t k = 0; k < 3; ++k) v[k] = map_.vertex(cornerOf(t, k));
-    return !isDegenerate(map_.input().positions, v);
+    std::vector<double> points;
+    for (const SurfaceCorner c : cornersOf(t))
+      for (const double x : map_.input().position(map_.vertex(c))) points.push_back(x);
+    return !isDegenerate(points, {0, 1, 2});
   }
 
   double areaOf(SurfaceTriangle t) const {

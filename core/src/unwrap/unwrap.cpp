@@ -38,22 +38,21 @@ namespace abflat {
 namespace {
 
 /// Exponent of the power of two that scales the largest coordinate of a face into 1 to 2.
-int exponentOf(const PolygonMesh& mesh) {
+int exponentOf(const InputMesh& mesh) {
   double largest = 0;
-  for (const std::size_t v : mesh.faceVertices)
-    for (std::size_t d = 0; d < 3; ++d)
-      largest = std::max(largest, std::abs(mesh.positions[3 * v + d]));
+  for (std::size_t c = 0; c < mesh.cornerCount(); ++c)
+    for (const double x : mesh.position(mesh.vertex(c))) largest = std::max(largest, std::abs(x));
   return largest > 0 ? std::ilogb(largest) : 0;
 }
 
 /// How often the search for seams reports until about half of it is done; by measurement.
 double usualReports(std::size_t triangles) { return 40 + 3e-4 * static_cast<double>(triangles); }
 
-std::size_t upAxisOf(const PolygonMesh& input, Up up) {
-  return up == Up::Z || (up == Up::Auto && input.isZUp) ? 2 : 1;
+std::size_t upAxisOf(const InputMesh& input, Up up) {
+  return up == Up::Z || (up == Up::Auto && input.extras().isZUp) ? 2 : 1;
 }
 
-Status checkInput(const PolygonMesh& input, const UnwrapOptions& options) {
+Status checkInput(const InputMesh& input, const UnwrapOptions& options) {
   if (options.udim && options.texelDensity == kAutoTexelDensity)
     return {StatusCode::InvalidOption, "udim needs a numeric texel density"};
   if (options.packingCuts == PackingCuts::Never && options.minUtilization > 0)
@@ -146,7 +145,7 @@ void fillResult(const SurfaceMap& map, double unit, LaidCharts& charts, UnwrapRe
 }
 
 /// One run, stage by stage. The mesh and lengths in the options are scaled to units of 2^exponent.
-Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions& options,
+Result<UnwrapResult> unwrapInUnits(const InputMesh& input, const UnwrapOptions& options,
                                    int exponent, const Listener& listener, UnfitFaces& unfit) {
   if (Status s = checkInput(input, options); !s.ok()) return s;
   const double unit = std::ldexp(1.0, exponent);
@@ -234,14 +233,14 @@ Result<UnwrapResult> unwrapInUnits(const PolygonMesh& input, const UnwrapOptions
   return out;
 }
 
-Result<UnwrapResult> unwrapScaled(const PolygonMesh& mesh, const UnwrapOptions& options,
-                                  int exponent, const Listener& listener) {
+Result<UnwrapResult> unwrapScaled(const InputMesh& mesh, const UnwrapOptions& options, int exponent,
+                                  const Listener& listener) {
   return untilStacksFit(mesh.faceCount(), [&](UnfitFaces& unfit) {
     return unwrapInUnits(mesh, options, exponent, listener, unfit);
   });
 }
 
-Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& options,
+Result<UnwrapResult> unwrapAsItIs(const InputMesh& mesh, const UnwrapOptions& options,
                                   const Listener& listener) {
   // So that nothing overflows or is lost below, and results are the same in every unit.
   const int exponent = exponentOf(mesh);
@@ -252,15 +251,23 @@ Result<UnwrapResult> unwrapAsItIs(const PolygonMesh& mesh, const UnwrapOptions& 
   return unwrapScaled(mesh, inUnits, exponent, listener);
 }
 
-}  // namespace
-
-Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
+Result<UnwrapResult> unwrapInput(const InputMesh& mesh, const UnwrapOptions& options) {
   return guarded([&]() -> Result<UnwrapResult> {
-    if (Status s = validateArrays(mesh); !s.ok()) return s;
+    if (Status s = mesh.validate(); !s.ok()) return s;
     const Listener listener(options.progress);
     return options.orient ? unwrapTurned(mesh, options, listener, unwrapAsItIs)
                           : unwrapAsItIs(mesh, options, listener);
   });
+}
+
+}  // namespace
+
+Result<UnwrapResult> unwrap(const PolygonMesh& mesh, const UnwrapOptions& options) {
+  return unwrapInput(mesh, options);
+}
+
+Result<UnwrapResult> unwrap(const MeshView& mesh, const UnwrapOptions& options) {
+  return unwrapInput(mesh, options);
 }
 
 }  // namespace abflat

@@ -172,8 +172,9 @@ class MeshRun {
     progress_.show({Stage::Write, 0, 0, 0.98});
     const Clock::time_point begin = Clock::now();
     const std::string name = inputName(command_.input);
-    Result<std::string> layout = placed(name, [&] {
-      if (writtenFormat(command_.output) == FileFormat::Gltf) readLook(input_);
+    Result<std::string> layout = placed(name, [&]() -> Result<std::string> {
+      if (writtenFormat(command_.output) == FileFormat::Gltf)
+        if (Status s = readLook(input_); !s.ok()) return s;
       const std::vector<std::uint32_t> turned = Job::turnFaces(input_, result);
       return layoutText(
           input_, command_.output, texcoord_,

@@ -66,9 +66,12 @@ Result<InputMesh> readInput(const std::string& path, const ReadOptions& options)
   });
 }
 
-void readLook(InputMesh& input) {
-  if (const std::optional<MeshFormat> ofCore = coreFormat(input.format))
-    input.look = readAppearance(input.bytes, *ofCore, input.mesh, input.readResource);
+Status readLook(InputMesh& input) {
+  const std::optional<MeshFormat> ofCore = coreFormat(input.format);
+  if (!ofCore) return {};
+  Result<Appearance> look = readAppearance(input.bytes, *ofCore, input.mesh, input.readResource);
+  if (look.ok()) input.look = std::move(look.value());
+  return look.status();
 }
 
 }  // namespace abflat::cli

@@ -39,6 +39,6 @@ Result<InputMesh> readInput(const std::string& path, const ReadOptions& options)
 
 /// Reads what a glTF can store of the mesh beyond its shape, also from files that the input refers
 /// to. Does nothing for a glTF, which already has that.
-void readLook(InputMesh& input);
+Status readLook(InputMesh& input);
 
 }  // namespace abflat::cli

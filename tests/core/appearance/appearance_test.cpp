@@ -18,7 +18,8 @@ MtlMaterial materialOf(const std::string& lines) {
 
 Appearance lookOf(const std::string& text, MeshFormat format, const ReadResource& readResource) {
   const Result<PolygonMesh> mesh = readMesh(text, format, "mesh");
-  return mesh.ok() ? readAppearance(text, format, mesh.value(), readResource) : Appearance();
+  return mesh.ok() ? readAppearance(text, format, mesh.value(), readResource).value()
+                   : Appearance();
 }
 
 /// Whether every index refers to something that exists, and every value is in its range.
@@ -85,7 +86,7 @@ TEST_CASE("what is left of a file is read without harm", "[appearance]") {
       const Result<PolygonMesh> mesh = readMesh(part, format, "mesh");
       if (!mesh.ok()) continue;
       ++read;
-      CHECK(isSound(readAppearance(part, format, mesh.value(), files), mesh.value()));
+      CHECK(isSound(readAppearance(part, format, mesh.value(), files).value(), mesh.value()));
     }
     CHECK(read > 0);
   }

@@ -1,12 +1,7 @@
 #include "base/guarded.h"
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,41 +14,14 @@
 #include "abflat/io.h"
 #include "abflat/unwrap.h"
 #include "catch.h"
-#include "support/instrumented.h"
-
-namespace {
-
-/// Allocations that still succeed; negative: all.
-std::atomic<long> left{-1};
-std::atomic<long> made{0}, living{0};
-
-}  // namespace
-
-// Every allocation of the test program goes through here.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++made;
-  if (left.load() >= 0 && left.fetch_sub(1) <= 0) {
-    left = 0;
-    return nullptr;
-  }
-  void* const memory = std::malloc(std::max<std::size_t>(size, 1));
-  if (memory) ++living;
-  return memory;
-}
-void* operator new(std::size_t size) {
-  void* const memory = ::operator new(size, std::nothrow);
-  if (!memory) throw std::bad_alloc();
-  return memory;
-}
-void operator delete(void* memory) noexcept {
-  if (!memory) return;
-  --living;
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept { ::operator delete(memory); }
+#include "support/little_memory.h"
 
 namespace abflat {
 namespace {
+
+using test::checkWithLittleMemory;
+using test::Ended;
+using test::ended;
 
 /// A bent grid of n x n squares, cut in two triangles each.
 PolygonMesh bentGrid(unsigned n) {
@@ -72,58 +40,6 @@ PolygonMesh bentGrid(unsigned n) {
       }
     }
   return mesh;
-}
-
-struct Ended {
-  StatusCode code;
-  std::size_t result;  ///< a hash, which needs no memory
-};
-using Call = std::function<Ended()>;
-
-Ended ended(const Status& status, std::string_view bytes) {
-  return {status.code, std::hash<std::string_view>()(bytes)};
-}
-template <class T>
-Ended ended(const Result<T>& result, std::vector<double> T::*numbers) {
-  if (!result.ok()) return ended(result.status(), "");
-  const std::vector<double>& all = result.value().*numbers;
-  return ended(result.status(),
-               {reinterpret_cast<const char*>(all.data()), all.size() * sizeof(double)});
-}
-
-/// Calls with memory for ever more allocations, some of them as in a program whose memory is full.
-void checkWithLittleMemory(const Call& call) {
-  const Ended wanted = call();  // also fills what lives as long as the program
-  const long before = made;
-  call();
-  const long count = made - before;
-  const long tries = test::cases(150, 30);
-  long failures = 0;
-  for (long k = 0; k < tries; ++k) {
-    const long n = k < 20 ? k : count * k / tries;
-    const long lived = living;
-    left = n;
-    Ended now{StatusCode::Internal, 0};
-    bool hasThrown = false;
-    try {
-      now = call();
-    } catch (const std::bad_alloc&) {
-      hasThrown = true;
-    }
-    left = -1;
-    const long kept = living - lived;  // before the checks allocate
-    const bool isRefused = now.code == StatusCode::OutOfMemory;
-    const bool isRight = now.code == wanted.code && now.result == wanted.result;
-    CAPTURE(n, count, now.code);
-    CHECK_FALSE(hasThrown);
-    CHECK((isRefused || isRight));
-    CHECK(kept == 0);
-    failures += isRefused;
-  }
-  CHECK(failures > 0);
-  const Ended again = call();
-  CHECK(again.code == wanted.code);
-  CHECK(again.result == wanted.result);
 }
 
 }  // namespace
@@ -158,9 +74,8 @@ TEST_CASE("public functions report lack of memory, leak nothing and work again")
     checkWithLittleMemory([&] { return ended(compare(mesh, {}).status(), ""); });
   }
   SECTION("for C") {
-    const abflat_mesh triangles = {
-        mesh.positions.data(),       0, 0, mesh.vertexCount(), mesh.faceVertices.data(),
-        mesh.faceVertices.size() / 3};
+    const abflat_mesh triangles = {mesh.positions.data(),    0, 0, mesh.vertexCount(),
+                                   mesh.faceVertices.data(), 0, 0, mesh.faceVertices.size() / 3};
     checkWithLittleMemory([&] {
       abflat_result* result = nullptr;
       const int status = abflat_unwrap(&triangles, nullptr, nullptr, nullptr, &result);
@@ -175,10 +90,7 @@ TEST_CASE("public functions report lack of memory, leak nothing and work again")
   }
 #if ABFLAT_DRAWING
   SECTION("pictures") {
-    checkWithLittleMemory([&] {
-      const Result<std::string> png = atlasPng(mesh, atlas.value());
-      return ended(png.status(), png.ok() ? std::string_view(png.value()) : std::string_view());
-    });
+    checkWithLittleMemory([&] { return ended(atlasPng(mesh, atlas.value())); });
   }
 #endif
 }

@@ -31,8 +31,8 @@ struct Unwrapped {
 };
 
 abflat_mesh arraysOf(const PolygonMesh& mesh) {
-  return {mesh.positions.data(), 0, 0, mesh.vertexCount(), mesh.faceVertices.data(),
-          mesh.faceCount()};
+  return {mesh.positions.data(),    0, 0, mesh.vertexCount(),
+          mesh.faceVertices.data(), 0, 0, mesh.faceCount()};
 }
 
 template <class T>
@@ -100,6 +100,38 @@ TEST_CASE("positions may be floats between other data", "[c]") {
   CHECK(copied(uv, 2 * count) == copied(abflat_uv(expected.result, nullptr), 2 * count));
 }
 
+TEST_CASE("numbers of vertices may have 2, 4 or 8 bytes, between other data", "[c]") {
+  const PolygonMesh mesh = uvSphere(12, 8);
+  const Unwrapped expected(arraysOf(mesh));
+  std::size_t count = 0;
+  const double* const uv = abflat_uv(expected.result, &count);
+  const auto check = [&](auto index) {
+    using Index = decltype(index);
+    struct Triangle {
+      Index vertices[3], other;
+    };
+    std::vector<Triangle> triangles(mesh.faceCount());
+    for (std::size_t c = 0; c < mesh.faceVertices.size(); ++c)
+      triangles[c / 3].vertices[c % 3] = static_cast<Index>(mesh.faceVertices[c]);
+    abflat_mesh arrays = arraysOf(mesh);
+    arrays.triangles = triangles.data();
+    arrays.index_size = sizeof(Index);
+    arrays.triangle_stride = sizeof(Triangle);
+    const Unwrapped got(arrays);
+    REQUIRE(got.status == 0);
+    std::size_t found = 0;
+    CHECK(copied(abflat_uv(got.result, &found), 2 * count) == copied(uv, 2 * count));
+    CHECK(found == count);
+  };
+  check(std::uint16_t{});
+  check(std::uint32_t{});
+  check(std::uint64_t{});
+  abflat_mesh wrong = arraysOf(mesh);
+  wrong.index_size = 3;
+  const Unwrapped refused(wrong);
+  CHECK(std::string(abflat_status_name(refused.status)) == "InvalidMesh");
+}
+
 TEST_CASE("C learns what is wrong", "[c]") {
   const Options options;
   CHECK(std::string(abflat_status_name(options.set("maxStrech", "2"))) == "InvalidOption");
@@ -123,7 +155,7 @@ TEST_CASE("C learns what is wrong", "[c]") {
   std::size_t count = 1;
   abflat_uv(outside.result, &count);
   CHECK(count == 0);
-  const Unwrapped empty({nullptr, 0, 0, 0, nullptr, 0});
+  const Unwrapped empty({nullptr, 0, 0, 0, nullptr, 0, 0, 0});
   CHECK(std::string(abflat_status_name(empty.status)) == "EmptyMesh");
 }
 

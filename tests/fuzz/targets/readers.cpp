@@ -88,7 +88,7 @@ bool readMaterials(const std::uint8_t* bytes, std::size_t size) {
   const std::string_view other = end == all.npos ? all : all.substr(end + 1);
   const Result<PolygonMesh> mesh = readMesh(obj, MeshFormat::Obj, "made-up");
   if (!mesh.ok()) return false;
-  const Appearance look = readAppearance(obj, MeshFormat::Obj, mesh.value(), always(other));
+  const Appearance look = readAppearance(obj, MeshFormat::Obj, mesh.value(), always(other)).value();
   expectMadeGltf(mesh.value(), look);
   return true;
 }

@@ -14,7 +14,7 @@ import { CUBE_OF_PARTS } from '../../support/small-meshes.mjs';
 import { tempFolder } from '../../support/temp-folder.mjs';
 
 /** Wine keeps its registry in the build folder and does not offer to install anything. */
-const WINE = {
+export const WINE = {
   WINEPREFIX: join(BUILD, 'wine'),
   WINEDEBUG: '-all',
   WINEDLLOVERRIDES: 'mscoree=;mshtml=',

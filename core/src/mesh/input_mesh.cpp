@@ -1,0 +1,25 @@
+#include "mesh/input_mesh.h"
+
+#include <utility>
+
+namespace abflat {
+const PolygonMesh& InputMesh::extras() const {
+  static const PolygonMesh kNoExtras;
+  return polygons_ ? *polygons_ : kNoExtras;
+}
+
+PolygonMesh InputMesh::copy() const {
+  if (polygons_) return *polygons_;
+  std::vector<double> positions;
+  positions.reserve(3 * vertexCount());
+  for (std::size_t v = 0; v < vertexCount(); ++v) {
+    const std::array<double, 3> p = position(v);
+    positions.insert(positions.end(), p.begin(), p.end());
+  }
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(cornerCount());
+  for (std::size_t c = 0; c < cornerCount(); ++c) vertices.push_back(vertex(c));
+  return makeTriangleMesh(std::move(positions), std::move(vertices));
+}
+
+}  // namespace abflat
