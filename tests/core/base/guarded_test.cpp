@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "abflat/abflat.h"
+#include "abflat/bake.h"
 #include "abflat/compare.h"
 #include "abflat/draw.h"
 #include "abflat/flatten.h"
@@ -86,6 +87,27 @@ TEST_CASE("public functions report lack of memory, leak nothing and work again")
                               std::string_view(bytes, 2 * count * sizeof(double)));
       abflat_free_result(result);
       return out;
+    });
+  }
+  SECTION("bake") {
+    const std::vector<std::uint8_t> pixels(3 * 64 * 64, 100);
+    BakeInput input;
+    input.textures.resize(1);
+    input.textures[0].image = {pixels.data(), 64, 64, 3, 8};
+    input.materials.resize(1);
+    input.materials[0].texture = 0;
+    input.triangles.uv = {0.1, 0.1, 0.9, 0.2, 0.3, 0.8};
+    input.triangles.oldUv = {0, 0, 4, 0, 0, 4};
+    input.triangles.materials = {0};
+    BakeOptions options;
+    options.width = options.height = 20;
+    checkWithLittleMemory([&] {
+      std::string image;
+      const Status status = bake(input, options, [&](auto, auto, const auto& bytes) {
+        image.append(bytes.begin(), bytes.end());
+        return true;
+      });
+      return ended(status, status.ok() ? image : std::string());
     });
   }
 #if ABFLAT_DRAWING

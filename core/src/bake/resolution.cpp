@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "abflat/bake.h"
+
+namespace abflat {
+namespace {
+
+double uvArea(const std::vector<double>& uv, std::size_t t) {
+  const double* const p = &uv[6 * t];
+  return std::abs((p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0])) / 2;
+}
+
+}  // namespace
+
+double bakeResolution(const BakeInput& input) {
+  struct Share {
+    double side, area;
+  };
+  std::vector<Share> shares;
+  double sum = 0;
+  const BakeTriangles& triangles = input.triangles;
+  for (std::size_t t = 0; t < triangles.count(); ++t) {
+    const BakeMaterial& material = input.materials[triangles.materials[t]];
+    if (material.texture == kNoTexture) continue;
+    const ImageView& image = input.textures[material.texture].image;
+    const double area = uvArea(triangles.uv, t);
+    const double texels = uvArea(triangles.oldUv, t) *
+                          std::abs(material.scale[0] * material.scale[1]) * image.width *
+                          image.height;
+    if (!(area > 0) || !(texels > 0)) continue;
+    shares.push_back({std::sqrt(texels / area), area});
+    sum += area;
+  }
+  std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
+    return a.side != b.side ? a.side < b.side : a.area < b.area;
+  });
+  double below = 0;
+  for (const Share& share : shares) {
+    below += share.area;
+    if (2 * below >= sum) return share.side;
+  }
+  return 0;
+}
+
+}  // namespace abflat
