@@ -109,6 +109,21 @@ std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double
   return out;
 }
 
+std::optional<std::array<std::uint32_t, 2>> findOverlapBetween(
+    std::vector<double> uv, const std::vector<std::uint32_t>& group) {
+  for (double* t = uv.data(); t != uv.data() + uv.size(); t += 6)
+    if (orientation(t, t + 2, t + 4) < 0) std::swap_ranges(t + 2, t + 4, t + 4);
+  std::optional<std::array<std::uint32_t, 2>> out;
+  sweep(
+      uv, [](std::uint32_t) { return false; },
+      [&](std::uint32_t i, std::uint32_t j) {
+        if (group[i] == group[j]) return true;
+        out = {std::min(i, j), std::max(i, j)};
+        return false;
+      });
+  return out;
+}
+
 std::vector<std::uint32_t> leaveOutOverlaps(const std::vector<double>& uv,
                                             const std::vector<std::uint32_t>& group,
                                             std::size_t groups) {
