@@ -8,6 +8,30 @@
 #include "islands/row_spans.h"
 
 namespace abflat {
+namespace {
+
+/// The triangles of a shape, each once, all counter-clockwise.
+std::vector<std::uint32_t> counterClockwise(const PackShape& shape) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t t = 0; t < shape.triangles.size(); t += 3) {
+    std::array<std::uint32_t, 3> v{};
+    std::array<double, 6> uv{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] = shape.triangles[t + k];
+      std::copy_n(&shape.uv[2 * std::size_t{v[k]}], 2, &uv[2 * k]);
+    }
+    if (doubleArea(uv.data()) < 0) std::swap(v[0], v[1]);
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+    triangles.push_back(v);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  std::vector<std::uint32_t> out;
+  for (const auto& v : triangles) out.insert(out.end(), v.begin(), v.end());
+  return out;
+}
+
+}  // namespace
 
 std::vector<IslandStack> listStacks(const IslandTriangles& triangles,
                                     const std::vector<std::uint32_t>& first,
@@ -57,11 +81,7 @@ PackShape shapeOf(const IslandStack& stack, const IslandTriangles& triangles) {
       for (std::size_t d = 0; d < 2; ++d) out.uv.push_back((p[d] - stack.middle(d)) * stack.factor);
     out.triangles[order[k]] = static_cast<std::uint32_t>(out.uv.size() / 2 - 1);
   }
-  for (std::size_t t = 0; t < count; t += 3) {
-    const auto &a = points[t], &b = points[t + 1], &c = points[t + 2];
-    const double triangle[] = {a[0], a[1], b[0], b[1], c[0], c[1]};
-    if (doubleArea(triangle) < 0) std::swap(out.triangles[t], out.triangles[t + 1]);
-  }
+  out.triangles = counterClockwise(out);
   return out;
 }
 

@@ -91,6 +91,9 @@ int leastResolution(std::size_t count, int padding) {
 LevelPose poseOf(const PackShape& shape, const Loops& loops, const std::vector<PlanePoint>& hull) {
   LevelPose out = levelPose(loops, hull, {shape.upU, shape.upV});
   if (!shape.isPosed) return out;
+  // One whose straight edges lie askew may be turned like one without.
+  constexpr double kAskew = 1e-3;
+  out.isStraight = out.isStraight && std::abs(out.pose.sin * out.pose.cos) < kAskew;
   out.pose = turned(Pose(), 0, 4, hull);
   out.isLevel = true;
   return out;

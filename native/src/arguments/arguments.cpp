@@ -49,7 +49,7 @@ Command parseArguments(int argc, const char* const* argv) {
       "  abflat unwrap character.obj -o character-uv.obj\n"
       "  abflat flatten head.obj -o head-uv.obj\n"
       "  abflat flatten head.obj -o head-uv.obj --t 2 --report head.json\n"
-      "  abflat pack prop.glb -o prop-packed.glb\n"
+      "  abflat pack robot.glb -o robot-packed.glb\n"
       "  abflat inspect head.obj\n"
       "  abflat sample head -o head.obj\n\n" +
       exitCodeHelp());
