@@ -290,15 +290,15 @@ class LayoutPacker {
 
   void addNotes() {
     PackReport& report = out_.report;
-    const auto note = [&](std::size_t n, const char* one, const char* many, const char* rest) {
-      if (n > 0) report.notes.push_back(counted(n, one, many) + rest);
+    const auto note = [&](std::size_t n, const char* one, const char* many) {
+      if (n > 0) report.notes.push_back(counted(n, one, many));
     };
-    note(report.stackedIslands, "island lies on another and moved",
-         "islands lie on others and moved", " together with what is below");
-    note(report.separated, "island overlapped", "islands overlapped",
-         " others by less than half, and no longer does so");
-    note(report.unmapped, "face has no texcoords and stays", "faces have no texcoords and stay",
-         " as before");
+    note(report.stackedIslands, "island lies on another and moved together with it",
+         "islands lie on others and moved together with them");
+    note(report.separated, "island overlapped another by less than half and is apart now",
+         "islands overlapped others by less than half and are apart now");
+    note(report.unmapped, "face has no texcoords and stays as it was",
+         "faces have no texcoords and stay as they were");
   }
 
   const PolygonMesh& mesh_;
