@@ -47,7 +47,7 @@ export function renderAll(root) {
     ['core/include/abflat/generated/names.h', renderNames(schema)],
     ...optionSets(schema).map((set, i, sets) => [
       `core/include/abflat/generated/${set.verb}_options.h`,
-      renderOptions(set, i > 0 ? sets[0].verb : undefined),
+      renderOptions(set, sets[i - 1]?.verb),
     ]),
     ...renderReportHeaders(schema).map(([name, text]) => [
       `core/include/abflat/generated/${name}.h`,

@@ -289,7 +289,7 @@ function optionFunctions(values, options) {
     '/// The number that stands for a word ("auto") or a choice of an option.',
     `inline double wordValue(const ${values}&, int index, std::string_view text, bool& found) {\n${options.flatMap(wordCases).join('\n')}\n  return found = false, 0;\n}\n`,
     '/// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.',
-    `inline double unitSize(const ${values}&, int index, char letter) {\n${options.flatMap(unitCases).join('\n')}\n  return 0;\n}\n`,
+    `inline double unitSize(const ${values}&, [[maybe_unused]] int index,\n                       [[maybe_unused]] char letter) {\n${options.flatMap(unitCases).join('\n')}\n  return 0;\n}\n`,
     '/// Calls visit(name, value) for every option; words and choices are passed as text.',
     `template <class Visit>\nvoid forEachOption(const ${values}& options, Visit&& visit) {\n${options.map(visitLine).join('\n')}\n}\n`,
   ];
@@ -298,7 +298,7 @@ function optionFunctions(values, options) {
 /** The header of one set; `base` is the set whose header it builds on. */
 export function renderOptions({ verb, text, options, shared }, base) {
   const values = `${pascalCase(verb)}OptionValues`;
-  const own = options.filter((option) => !shared.includes(option));
+  const own = options.filter((option) => !shared.includes(option.name));
   const fields = options.map(
     (option) =>
       `  /// ${fullText(option)}\n  ${cppType(option)} ${option.name} = ${defaultOf(option)};`,

@@ -28,6 +28,7 @@ const TABLES = {
     ),
   'flatten-options': ({ flattenOptions }) => optionTable(flattenOptions),
   'unwrap-options': ({ unwrapOptions }) => optionTable(unwrapOptions),
+  'pack-options': ({ packOptions }) => optionTable(packOptions),
 };
 
 /** `enum-NAME` and `struct-NAME`. */

@@ -1,6 +1,7 @@
 // The TypeScript side of the schema.
 
 import { coreFormats, writtenFormats } from './formats.mjs';
+import { isIn } from './report-schema.mjs';
 import {
   BOUNDS,
   fullText,
@@ -61,7 +62,7 @@ function infoFields(option) {
 function optionParts({ verb, text, options, shared }) {
   const choices = options.filter(({ type }) => type === 'choice');
   const aliases = choices
-    .filter((option) => !shared.includes(option))
+    .filter((option) => !shared.includes(option.name))
     .map(
       ({ name, choices: list }) =>
         `export type ${pascalCase(name)} = ${union(list.map((choice) => choice.name))};\n`,
@@ -82,10 +83,12 @@ function optionParts({ verb, text, options, shared }) {
 const unionType = (name, text, names) =>
   `/** ${sentence(text)} */\nexport type ${name} = ${union(names)};\n`;
 
-/** A union of all names, and of the stages of each call. */
-function enumParts(enums) {
-  return enums.flatMap(({ name, text, values }) => {
-    const calls = [...new Set(values.flatMap((value) => value.of ?? []))];
+/** A union of all names, and of the stages of each call of the package. */
+function enumParts(schema) {
+  const absent = optionSets(schema).filter((set) => !isIn(set, 'package'));
+  return schema.enums.flatMap(({ name, text, values }) => {
+    const all = new Set(values.flatMap((value) => value.of ?? []));
+    const calls = [...all].filter((call) => !absent.some(({ verb }) => verb === call));
     if (calls.length === 0)
       return unionType(
         name,
@@ -146,8 +149,10 @@ export function renderTypeScript(schema) {
   const parts = [
     TS_HEADER,
     ...statusParts(schema.statuses),
-    ...optionSets(withoutResearch(schema)).flatMap(optionParts),
-    ...enumParts(schema.enums),
+    ...optionSets(withoutResearch(schema))
+      .filter((set) => isIn(set, 'package'))
+      .flatMap(optionParts),
+    ...enumParts(schema),
     ...arrayParts(schema),
     ...fileParts(schema),
   ];

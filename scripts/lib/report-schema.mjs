@@ -39,7 +39,7 @@ export function typesOf(schema) {
     types.set(name, { names: values.map((value) => value.name), header: 'names' });
   for (const { verb, options, shared } of optionSets(schema)) {
     types.set(`${pascalCase(verb)}OptionValues`, { options, header: `${verb}_options` });
-    for (const { name, choices } of options.filter((option) => !shared.includes(option)))
+    for (const { name, choices } of options.filter((option) => !shared.includes(option.name)))
       if (choices)
         types.set(pascalCase(name), {
           names: choices.map((choice) => choice.name),

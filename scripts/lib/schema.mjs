@@ -22,24 +22,30 @@ export function checkSchema(schema) {
   }
   checkUnique(schema.flattenOptions, 'flattenOptions');
   for (const option of schema.flattenOptions) checkOption(option);
-  const unwrapOptions = schema.unwrapOptions.map((option) => resolved(option, schema));
-  checkUnique(unwrapOptions, 'unwrapOptions');
-  for (const option of unwrapOptions) checkOption(option);
+  const { flattenOptions } = schema;
+  const unwrapOptions = resolvedSet('unwrapOptions', schema, flattenOptions);
+  const packOptions = resolvedSet('packOptions', schema, [...unwrapOptions, ...flattenOptions]);
   for (const { name, values } of schema.enums) checkUnique(values, `enum ${name}`);
   checkUnique(schema.enums, 'enums');
-  return { ...schema, unwrapOptions };
+  return { ...schema, unwrapOptions, packOptions };
 }
 
-/** An option given only by name is the one of flattening. */
-function resolved(option, { flattenOptions }) {
-  if (typeof option !== 'string') return option;
-  const found = flattenOptions.find(({ name }) => name === option);
-  if (!found) throw new Error(`unwrapOptions: there is no option "${option}" of flattening`);
-  return found;
+/** A set whose options may be those of others: by name alone, or with `like` and what differs. */
+function resolvedSet(list, schema, others) {
+  const options = schema[list].map((option) => {
+    const { like, ...changes } = typeof option === 'string' ? { like: option } : option;
+    if (!like) return option;
+    const found = others.find(({ name }) => name === like);
+    if (!found) throw new Error(`${list}: there is no option "${like}" in another set`);
+    return typeof option === 'string' ? found : { ...found, ...changes };
+  });
+  checkUnique(options, list);
+  for (const option of options) checkOption(option);
+  return options;
 }
 
 /** The sets of options: their names, their options, and which of those another set has defined. */
-export function optionSets({ flattenOptions, unwrapOptions }) {
+export function optionSets({ flattenOptions, unwrapOptions, packOptions }) {
   return [
     {
       verb: 'flatten',
@@ -51,10 +57,19 @@ export function optionSets({ flattenOptions, unwrapOptions }) {
       verb: 'unwrap',
       text: 'The options of unwrapping that are plain values, with their defaults.',
       options: unwrapOptions,
-      shared: flattenOptions,
+      shared: namesOf(flattenOptions),
+    },
+    {
+      verb: 'pack',
+      text: 'The options of packing a layout that are plain values, with their defaults.',
+      options: packOptions,
+      shared: namesOf([...flattenOptions, ...unwrapOptions]),
+      in: ['cpp', 'cli'],
     },
   ];
 }
+
+const namesOf = (options) => options.map(({ name }) => name);
 
 /**
  * The schema without what is for research, which the npm package lacks. The remaining ones keep the

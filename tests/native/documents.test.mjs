@@ -12,7 +12,7 @@ import { isInstrumented, PROGRAM, runAbflat } from '../support/run-abflat.mjs';
 import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const SHOWN_IN = ['README.md', 'docs/command-line.md'];
+const SHOWN_IN = ['README.md', 'docs/command-line.md', 'docs/packing.md'];
 
 /** CONTRIBUTING.md names options of other programs, too. */
 const OF_THE_PROGRAM = DOCUMENTS.filter((file) => file !== 'CONTRIBUTING.md');

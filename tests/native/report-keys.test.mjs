@@ -9,6 +9,7 @@ import {
   foldingPins,
   MIRROR_IMAGES,
   NEEDLE,
+  overlappingIslands,
   rough,
   stellated,
   TOUCHING,
@@ -28,7 +29,8 @@ async function run(t, struct, command, mesh, options = [], files = {}) {
   const args = [command, 'in.obj', '-o', 'out.obj', '--report', 'r.json', ...options];
   const { stderr } = await runAbflat(args, { cwd: at() });
   const report = JSON.parse(readFileSync(at('r.json'), 'utf8'));
-  assert.equal('error' in report, !('valid' in report && report.charts.length > 0), stderr);
+  const results = report.charts?.length ?? report.islands;
+  assert.equal('error' in report, !('valid' in report && results > 0), stderr);
   keys.check(report, struct);
   return report;
 }
@@ -93,6 +95,11 @@ test('unwrap: holes, pins, parts that stay, cuts for packing', async (t) => {
   await unwrap(t, objText(sphere()), ['--memory', '1M', '--symmetric-seams', 'always']);
 });
 
+test('pack: stacks, islands that overlap or are mirrored, faces without texcoords', async (t) => {
+  await run(t, 'PackReport', 'pack', overlappingIslands());
+  await run(t, 'PackReport', 'pack', CUBE);
+});
+
 test('inspect', async (t) => {
   const shaded = [objWithNormals(drum()), objWithGroups(drum())];
   for (const mesh of [CUBE_OF_PARTS, NEEDLE, ...shaded, objText(torus()), objText(defects())]) {
@@ -113,6 +120,6 @@ test('compare', async (t) => {
 });
 
 after(() => {
-  const unseen = keys.unseen('Report', 'UnwrapReport', 'ComparisonReport');
+  const unseen = keys.unseen('Report', 'UnwrapReport', 'PackReport', 'ComparisonReport');
   assert.deepEqual(unseen, [], 'fields that no report has');
 });

@@ -15,7 +15,7 @@ const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
 
 /** Arguments, and what the message must say. */
 const WRONG = [
-  [[], /flatten, inspect, sample, sweep, compare or reproduce/],
+  [[], /flatten, pack, inspect, sample, sweep, compare or reproduce/],
   [['unfold'], /no command 'unfold'\. Use unwrap, flatten/],
   [['unwrap'], /IN/],
   [['flatten'], /IN/],
@@ -71,6 +71,16 @@ const WRONG = [
     /cannot write \.off files\. Use \.obj, \.ply, \.glb or \.gltf/,
   ],
   [['unwrap', 'in.obj', '-o', 'o.obj', '--udim'], /--udim: needs a numeric --texel-density/],
+  [['pack', 'in.obj', '-o', 'o.obj', '--udim'], /--udim: needs a numeric --texel-density/],
+  [
+    ['pack', 'in.obj', '-o', 'o.obj', '--layout', 'in.obj.gif'],
+    /--layout: use a name that ends in/,
+  ],
+  [['pack', 'in.obj', '-o', 'o.obj', '--report', './in.obj'], /--report: would replace the input/],
+  [
+    ['pack', 'in.obj', '-o', 'o.obj', '--report', 'r.svg', '--layout', './r.svg'],
+    /--layout: is the same file as --report/,
+  ],
   [['sweep', 'in.obj', '--csv', './in.obj'], /--csv: would replace the input/],
   [['inspect'], /IN/],
   [['sample'], /NAME/],
@@ -103,7 +113,7 @@ test('help goes to standard output and tells every exit code', async () => {
   }
 });
 
-for (const command of ['flatten', 'unwrap'])
+for (const command of ['flatten', 'unwrap', 'pack'])
   test(`help of ${command} tells its options, their meaning and defaults`, async () => {
     const { stdout } = await runAbflat([command, '--help']);
     const words = stdout.replaceAll(/\s+/g, ' ');

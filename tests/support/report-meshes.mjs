@@ -50,3 +50,15 @@ export const foldingPins = (n) => {
   ];
   return [0, n, n * (n + 1), (n + 1) ** 2 - 1].map((vertex, i) => ({ vertex, uv: uv[i] }));
 };
+
+/** Squares in space: two that lie on each other, one of them mirrored, one that overlaps them a little, and one without texcoords. */
+export function overlappingIslands() {
+  const places = [[0, 1], [1, -1], [0.9, 1], undefined];
+  const corners = [0, 1, 2, 3].map((k) => [k === 1 || k === 2 ? 1 : 0, k >> 1]);
+  const lines = places.flatMap((place, i) => [
+    ...corners.map(([x, y]) => `v ${x} ${y} ${i}`),
+    ...corners.flatMap(([x, y]) => (place ? [`vt ${place[0] + x * place[1]} ${y}`] : [])),
+    `f ${[1, 2, 3, 4].map((k) => (place ? `${4 * i + k}/${4 * i + k}` : 4 * i + k)).join(' ')}`,
+  ]);
+  return `${lines.join('\n')}\n`;
+}

@@ -23,7 +23,8 @@ ABFLAT_API Result<PolygonMesh> readMesh(std::string_view bytes, MeshFormat forma
                                         std::string_view fileName);
 
 /// OBJ text of the mesh with texcoords; faces keep their order, corner order and degree. `uv` has 2
-/// coordinates per texcoord, `cornerUv` the texcoord of each face corner (size of faceVertices).
+/// coordinates per texcoord, `cornerUv` the texcoord of each face corner (size of faceVertices), or
+/// kNoTexcoord, which other formats write as 0 0.
 /// When `sourceObj` is the OBJ text that `mesh` was read from, everything but texcoords, references
 /// to them, and faces is copied from it byte for byte (positions, comments, groups, materials,
 /// normals). `turnedFaces`, ascending, are those that `mesh` has turned since. Otherwise positions

@@ -63,9 +63,10 @@ class Rows {
 };
 
 /// Calls `found(i, j)` with pairs of triangles that overlap, until it returns false; leaves out
-/// triangles that `isOut`, which `found` may change.
-template <class IsOut, class Found>
-void sweep(const std::vector<double>& uv, const IsOut& isOut, const Found& found) {
+/// triangles that `isOut`, which `found` may change, and pairs that `mayOverlap`.
+template <class IsOut, class MayOverlap, class Found>
+void sweep(const std::vector<double>& uv, const IsOut& isOut, const MayOverlap& mayOverlap,
+           const Found& found) {
   std::vector<std::uint32_t> order;
   std::vector<Box> boxes;
   for (std::size_t i = 0; 6 * i < uv.size(); ++i) {
@@ -89,23 +90,37 @@ void sweep(const std::vector<double>& uv, const IsOut& isOut, const Found& found
                                }),
                 row.end());
       for (const std::uint32_t j : row)
-        if (!isOut(i) && !isOut(j) && boxes[i].meets(boxes[j]) && !isSeparated(at(i), at(j)) &&
-            !isSeparated(at(j), at(i)))
+        if (!mayOverlap(i, j) && !isOut(i) && !isOut(j) && boxes[i].meets(boxes[j]) &&
+            !isSeparated(at(i), at(j)) && !isSeparated(at(j), at(i)))
           if (!found(i, j)) return;
       row.push_back(i);
     }
 }
 
+constexpr auto kNoneIsOut = [](std::uint32_t) { return false; };
+constexpr auto kNoPair = [](std::uint32_t, std::uint32_t) { return false; };
+
 }  // namespace
 
 std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double>& uv) {
   std::optional<std::array<std::uint32_t, 2>> out;
-  sweep(
-      uv, [](std::uint32_t) { return false; },
-      [&](std::uint32_t i, std::uint32_t j) {
-        out = {std::min(i, j), std::max(i, j)};
-        return false;
-      });
+  sweep(uv, kNoneIsOut, kNoPair, [&](std::uint32_t i, std::uint32_t j) {
+    out = {std::min(i, j), std::max(i, j)};
+    return false;
+  });
+  return out;
+}
+
+std::optional<std::array<std::uint32_t, 2>> findOverlapBetween(
+    std::vector<double> uv, const std::vector<std::uint32_t>& group) {
+  for (double* t = uv.data(); t != uv.data() + uv.size(); t += 6)
+    if (orientation(t, t + 2, t + 4) < 0) std::swap_ranges(t + 2, t + 4, t + 4);
+  std::optional<std::array<std::uint32_t, 2>> out;
+  const auto areOneGroup = [&](std::uint32_t i, std::uint32_t j) { return group[i] == group[j]; };
+  sweep(uv, kNoneIsOut, areOneGroup, [&](std::uint32_t i, std::uint32_t j) {
+    out = {std::min(i, j), std::max(i, j)};
+    return false;
+  });
   return out;
 }
 
@@ -116,7 +131,7 @@ std::vector<std::uint32_t> leaveOutOverlaps(const std::vector<double>& uv,
   std::vector<std::uint32_t> out(groups, kNoOverlap);
   const auto isOut = [&](std::uint32_t i) { return out[group[i]] != kNoOverlap; };
   for (int round = 0; round < kMostRounds; ++round) {
-    sweep(uv, isOut, [&](std::uint32_t i, std::uint32_t j) {
+    sweep(uv, isOut, kNoPair, [&](std::uint32_t i, std::uint32_t j) {
       out[std::max(group[i], group[j])] = std::min(group[i], group[j]);
       return true;
     });

@@ -11,6 +11,11 @@ namespace abflat {
 /// per triangle; triangles that are not counter-clockwise are ignored.
 std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double>& uv);
 
+/// The same for two triangles of different groups, whichever way round they are. `group` has one
+/// per triangle.
+std::optional<std::array<std::uint32_t, 2>> findOverlapBetween(
+    std::vector<double> uv, const std::vector<std::uint32_t>& group);
+
 /// Leaves out groups of triangles until nothing that is left overlaps as above: those that overlap
 /// themselves or a group that stays, of a smaller number. `group` has one per triangle, below
 /// `groups`. Returns, per group, the one that it overlaps, or kNoOverlap where it stays.

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "abflat/mesh.h"
 #include "io/first_alike.h"
 
 namespace abflat {
@@ -23,9 +24,13 @@ SplitVertices splitVertices(std::size_t vertexCount, const std::vector<std::uint
   SplitVertices out;
   out.ofCorner = faceVertices;
   if (uv.empty()) return out;
+  constexpr double kNowhere[2] = {};
+  const auto uvOf = [&](std::uint32_t c) {
+    return cornerUv[c] == kNoTexcoord ? kNowhere : &uv[2 * std::size_t{cornerUv[c]}];
+  };
   // Equal texcoords count as one, whatever their indices.
   const auto isLess = [&](std::uint32_t a, std::uint32_t b) {
-    const double *p = &uv[2 * std::size_t{cornerUv[a]}], *q = &uv[2 * std::size_t{cornerUv[b]}];
+    const double *p = uvOf(a), *q = uvOf(b);
     const std::int64_t pu = orderOf(p[0]), qu = orderOf(q[0]);
     return pu != qu ? pu < qu : orderOf(p[1]) < orderOf(q[1]);
   };
@@ -45,8 +50,7 @@ SplitVertices splitVertices(std::size_t vertexCount, const std::vector<std::uint
     } else {
       isUsed[at] = 1;
     }
-    for (std::size_t d = 0; d < 2; ++d)
-      out.uv[2 * std::size_t{at} + d] = uv[2 * std::size_t{cornerUv[c]} + d];
+    for (std::size_t d = 0; d < 2; ++d) out.uv[2 * std::size_t{at} + d] = uvOf(c)[d];
   }
   return out;
 }

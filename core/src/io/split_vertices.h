@@ -11,7 +11,7 @@ namespace abflat {
 struct SplitVertices {
   std::vector<std::uint32_t> ofCorner;  ///< vertex of each face corner
   std::vector<std::uint32_t> copied;    ///< vertex of the mesh that each copy repeats
-  std::vector<double> uv;               ///< 2 per vertex; 0 where no face refers to it
+  std::vector<double> uv;               ///< 2 per vertex; 0 where no corner has any
 };
 
 /// Arguments as for writePly; `uv` may be empty.

@@ -34,12 +34,15 @@ void putFace(TextWriter& out, std::string_view corners, const CornerUv& cornerUv
     if (from == last) break;
     *to++ = ' ';
     while (from != last && !isBlank(*from) && *from != '/') *to++ = *from++;
-    *to++ = '/';
-    to = writeInteger(to, cornerUv[next++] + 1);
+    const std::uint32_t texcoord = cornerUv[next++];
+    const bool exists = texcoord != kNoTexcoord;
     if (from != last && *from == '/') ++from;
     while (from != last && !isBlank(*from) && *from != '/') ++from;
     // A slash with nothing after it is dropped.
     if (from != last && *from == '/' && (from + 1 == last || isBlank(from[1]))) ++from;
+    const bool hasNormal = from != last && *from == '/';
+    if (exists || hasNormal) *to++ = '/';
+    if (exists) to = writeInteger(to, texcoord + 1);
     while (from != last && !isBlank(*from)) *to++ = *from++;
   }
   out.endAt(to);
@@ -192,7 +195,7 @@ std::string freshObj(const PolygonMesh& mesh, const std::vector<double>& uv,
     for (std::uint32_t c = mesh.faceOffsets[f]; c < mesh.faceOffsets[f + 1]; ++c) {
       out.put(' ');
       out.put(mesh.faceVertices[c] + 1);
-      if (uv.empty()) continue;
+      if (uv.empty() || cornerUv[c] == kNoTexcoord) continue;
       out.put('/');
       out.put(cornerUv[c] + 1);
     }

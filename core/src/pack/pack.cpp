@@ -88,6 +88,17 @@ int leastResolution(std::size_t count, int padding) {
   return side + (side - 1) * padding + 2 * ((padding + 1) / 2);
 }
 
+LevelPose poseOf(const PackShape& shape, const Loops& loops, const std::vector<PlanePoint>& hull) {
+  LevelPose out = levelPose(loops, hull, {shape.upU, shape.upV});
+  if (!shape.isPosed) return out;
+  // One whose straight edges lie askew may be turned like one without.
+  constexpr double kAskew = 1e-3;
+  out.isStraight = out.isStraight && std::abs(out.pose.sin * out.pose.cos) < kAskew;
+  out.pose = turned(Pose(), 0, 4, hull);
+  out.isLevel = true;
+  return out;
+}
+
 /// A single call of pack().
 class Packer {
  public:
@@ -160,8 +171,9 @@ class Packer {
       PackItem& item = items_[i];
       item.loops = coveringLoops(shape);
       item.mass = massOf(shape);
+      if (shape.coveredArea > 0) item.mass.area = shape.coveredArea;
       const std::vector<PlanePoint> hull = convexHull(item.loops.points);
-      const LevelPose level = levelPose(item.loops, hull, {shape.upU, shape.upV});
+      const LevelPose level = poseOf(shape, item.loops, hull);
       item.isLevel = level.isLevel;
       item.isUpright = level.isUpright;
       item.poses = Poses(isFree ? leastBoxPose(hull) : level.pose, poses, hull);
@@ -364,6 +376,13 @@ class Packer {
 };
 
 }  // namespace
+
+double usualWork(const std::vector<PackShape>& shapes) {
+  constexpr double kWorkOfCorner = 10, kLeastWork = 100000;
+  double corners = 0;
+  for (const PackShape& shape : shapes) corners += static_cast<double>(shape.triangles.size());
+  return std::max(kWorkOfCorner * corners, kLeastWork);
+}
 
 Result<Packing> pack(std::vector<PackShape> shapes, const PackOptions& options) {
   return Packer(options).run(std::move(shapes));

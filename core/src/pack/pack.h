@@ -19,6 +19,9 @@ struct PackShape {
   std::vector<std::uint32_t> outline;
   /// The image of the mesh's up direction, as long as the height gained per length; see levelPose.
   double upU = 0, upV = 0;
+  /// What it covers if its triangles overlap; 0: their sum.
+  double coveredArea = 0;
+  bool isPosed = false;  ///< it lies as it should: turns count from there
   /// The shape stays where it is: its uv are already places in the atlas, and others go around it.
   /// If there are several tiles, it belongs to the one that contains the middle of its box.
   bool isFixed = false;
@@ -65,6 +68,10 @@ struct Packing {
   double seconds = 0;
   int tries = 0;  ///< number of scales tried
 };
+
+/// How much packing may look at, in the unit of PackOptions. It grows with the triangles so that
+/// packing takes less time than flattening, but it is enough to pack small meshes well.
+double usualWork(const std::vector<PackShape>& shapes);
 
 /// Packs charts into an atlas. No texel (closed unit square of the grid that `resolution` makes of
 /// a tile) is touched by two charts, and any two charts have `padding` texels between them in at

@@ -1,6 +1,7 @@
 #include "abflat/compare.h"
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
+#include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
 #include "abflat/version.h"
 #include "report/field_writer.h"
@@ -21,6 +22,8 @@ std::string jsonOf(const Report& report) {
 std::string reportJson(const Report& report) { return jsonOf(report); }
 
 std::string unwrapReportJson(const UnwrapReport& report) { return jsonOf(report); }
+
+std::string packReportJson(const PackReport& report) { return jsonOf(report); }
 
 std::string inspectJson(const MeshSummary& summary, const std::string& path) {
   FieldWriter json;

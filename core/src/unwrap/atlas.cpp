@@ -75,15 +75,6 @@ class BeforeRounding {
   IdVector<ChartId, std::uint8_t> hadProblem_;
 };
 
-/// How much packing may look at, in the unit of PackOptions. It grows with the triangles so that
-/// packing takes less time than flattening, but it is enough to pack small meshes well.
-double packWork(const std::vector<PackShape>& shapes) {
-  constexpr double kWorkOfCorner = 10, kLeastWork = 100000;
-  double corners = 0;
-  for (const PackShape& shape : shapes) corners += static_cast<double>(shape.triangles.size());
-  return std::max(kWorkOfCorner * corners, kLeastWork);
-}
-
 /// Texels per mesh unit of the charts that stay where they are, on average, less what they are
 /// denser than others; 0 if there are none.
 double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& shapes,
@@ -142,7 +133,7 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options, const L
   how.pool = &packed.pool;
   how.listener = listener;
   std::vector<PackShape> shapes = shapesOf(packed);
-  how.work = packWork(shapes);
+  how.work = usualWork(shapes);
   how.fixedMayLeave = options.reuse.keepsPlaces;
   const double fixedDensity = densityOfFixed(packed, shapes, options.resolution);
   if (options.reuse.keepsPlaces || keepsIslands(packed.charts.flat)) how.mostDensity = fixedDensity;

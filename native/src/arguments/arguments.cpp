@@ -23,9 +23,10 @@ std::string usageError(const CLI::App& app, const CLI::Error& error) {
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
     what = "there is no command '" + app.remaining().front() +
-           "'. Use unwrap, flatten, inspect, sample, sweep, compare or reproduce";
+           "'. Use unwrap, flatten, pack, inspect, sample, sweep, compare or reproduce";
   else if (named.empty())
-    what = "no command given. Use unwrap, flatten, inspect, sample, sweep, compare or reproduce";
+    what =
+        "no command given. Use unwrap, flatten, pack, inspect, sample, sweep, compare or reproduce";
   else if (const std::string option = unknownOption(*named.front()); !option.empty())
     what = "there is no option '" + option + "'. If that is a file, write ./" + option;
   else if (error.get_name() == "ArgumentMismatch")
@@ -48,11 +49,13 @@ Command parseArguments(int argc, const char* const* argv) {
       "  abflat unwrap character.obj -o character-uv.obj\n"
       "  abflat flatten head.obj -o head-uv.obj\n"
       "  abflat flatten head.obj -o head-uv.obj --t 2 --report head.json\n"
+      "  abflat pack robot.glb -o robot-packed.glb\n"
       "  abflat inspect head.obj\n"
       "  abflat sample head -o head.obj\n\n" +
       exitCodeHelp());
   UnwrapCommand unwrap;
   FlattenCommand flatten;
+  PackCommand pack;
   InspectCommand inspect;
   SampleCommand sample;
   SweepCommand sweep;
@@ -60,6 +63,7 @@ Command parseArguments(int argc, const char* const* argv) {
   ReproduceCommand reproduce;
   const CLI::App* unwrapApp = addUnwrap(app, unwrap);
   const CLI::App* flattenApp = addFlatten(app, flatten);
+  const CLI::App* packApp = addPack(app, pack);
   const CLI::App* inspectApp = addInspect(app, inspect);
   const CLI::App* sampleApp = addSample(app, sample);
   const CLI::App* sweepApp = addSweep(app, sweep);
@@ -69,6 +73,7 @@ Command parseArguments(int argc, const char* const* argv) {
     app.parse(argc, argv);
     if (unwrapApp->parsed()) checkTogether(unwrap);
     if (flattenApp->parsed()) checkTogether(flatten);
+    if (packApp->parsed()) checkTogether(pack);
     if (sweepApp->parsed()) checkTogether(sweep);
     if (compareApp->parsed()) checkTogether(compare);
   } catch (const CLI::Success& request) {
@@ -80,6 +85,7 @@ Command parseArguments(int argc, const char* const* argv) {
   }
   if (unwrapApp->parsed()) return unwrap;
   if (flattenApp->parsed()) return flatten;
+  if (packApp->parsed()) return pack;
   if (inspectApp->parsed()) return inspect;
   if (sampleApp->parsed()) return sample;
   if (sweepApp->parsed()) return sweep;

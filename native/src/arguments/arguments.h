@@ -7,6 +7,7 @@
 
 #include "abflat/flatten.h"
 #include "abflat/gltf.h"
+#include "abflat/pack_layout.h"
 #include "abflat/samples.h"
 #include "abflat/unwrap.h"
 #include "files/kept_faces.h"
@@ -28,6 +29,17 @@ struct UnwrapCommand {
   std::string layout;      ///< picture of the atlas, .svg or .png; empty: not wanted
   double scale = 0;        ///< millimetres per mesh unit in an SVG; 0: pixels
   std::string heatMap;     ///< picture of the distortion, .png; empty: not wanted
+  bool quiet = false;
+};
+
+struct PackCommand {
+  std::string input, output;
+  bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
+  std::optional<std::size_t> texcoord;  ///< number of the glTF set to write; none: the one read
+  GltfReadOptions gltf;
+  std::string report;  ///< empty: not wanted
+  PackOptionValues options;
+  std::string layout;  ///< picture of the atlas, .svg or .png; empty: not wanted
   bool quiet = false;
 };
 
@@ -82,8 +94,8 @@ struct Finished {
   int exitCode = 0;
 };
 
-using Command = std::variant<Finished, UnwrapCommand, FlattenCommand, InspectCommand, SampleCommand,
-                             SweepCommand, CompareCommand, ReproduceCommand>;
+using Command = std::variant<Finished, UnwrapCommand, FlattenCommand, PackCommand, InspectCommand,
+                             SampleCommand, SweepCommand, CompareCommand, ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

@@ -137,13 +137,11 @@ void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set) {
       ->type_name("NUMBER");
 }
 
-void addReadTexcoord(CLI::App& app, std::size_t& set) {
+void addReadTexcoord(CLI::App& app, std::size_t& set, const std::string& help) {
   app.add_option_function<std::string>(
          "--read-texcoord",
          [&set](const std::string& text) { set = texcoordSet("--read-texcoord", text, ""); },
-         wrapped(
-             "glTF set that --seams uv and --keep uv refer to: TEXCOORD_0 to TEXCOORD_7; --keep "
-             "uv also writes it unless --texcoord names another"))
+         wrapped(help))
       ->default_str("0")
       ->type_name("NUMBER");
 }

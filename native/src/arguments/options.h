@@ -31,7 +31,8 @@ void addOutput(CLI::App& app, std::string& output);
 void addPins(CLI::App& app, std::string& pins, const std::string& where);
 /// None means auto.
 void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set);
-void addReadTexcoord(CLI::App& app, std::size_t& set);
+/// `help`: what is read from that set.
+void addReadTexcoord(CLI::App& app, std::size_t& set, const std::string& help);
 void addOwnTexels(CLI::App& app, bool& ownTexels);
 /// Whether files that the mesh refers to may be anywhere.
 void addAllowOutside(CLI::App& app, bool& allowsOutside);
@@ -70,6 +71,13 @@ void addOption(CLI::App& app, Values& values, int index) {
 template <class Values>
 void addOptions(CLI::App& app, Values& values) {
   for (int i = 0; i < optionInfos(values).count; ++i) addOption(app, values, i);
+}
+
+/// Throws CLI::ValidationError if tiles are asked for without saying how large charts are.
+template <class Values>
+void checkUdim(const Values& values) {
+  if (values.udim && values.texelDensity == kAutoTexelDensity)
+    throw CLI::ValidationError("--udim", "needs a numeric --texel-density");
 }
 
 /// Rejects a file name that clashes with another one.

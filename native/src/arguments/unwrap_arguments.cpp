@@ -1,24 +1,12 @@
 #include <sstream>
 
-#include "abflat/draw.h"
 #include "arguments/options.h"
+#include "arguments/pictures.h"
 #include "arguments/subcommands.h"
 #include "files/paths.h"
 
 namespace abflat::cli {
 namespace {
-
-/// `endings` are those that the name may have; `inWords` is their text.
-CLI::Validator pictureName(const std::vector<std::string>& endings, const std::string& inWords) {
-  return CLI::Validator(
-      [=](const std::string& text) -> std::string {
-        const std::string ending = endingOf(text);
-        for (const std::string& known : endings)
-          if (ending == known) return "";
-        return "use a name that ends in " + inWords + ", not '" + text + "'";
-      },
-      "");
-}
 
 /// Parses "auto,file=PATH". Everything but the file name is left to the core.
 void setSeams(const std::string& text, UnwrapCommand& c) {
@@ -44,13 +32,7 @@ void setKept(const std::string& text, UnwrapCommand& c) {
 }
 
 void addPictures(CLI::App& app, UnwrapCommand& c) {
-  app.add_option(
-         "--layout", c.layout,
-         wrapped("picture of the atlas, .svg or .png: charts in colour, with all edges; a PNG "
-                 "has one pixel per texel"))
-      ->check(notEmpty())
-      ->check(pictureName({".svg", ".png"}, ".svg or .png"))
-      ->type_name("FILE");
+  addLayoutPicture(app, c.layout);
   app.add_option(
          "--scale", c.scale,
          wrapped("millimetres per mesh unit in the SVG of --layout, so that charts print as large "
@@ -70,13 +52,8 @@ void checkPictures(const UnwrapCommand& c) {
   const bool isSvg = endingOf(c.layout) == ".svg";
   if (c.scale > 0 && !isSvg)
     throw CLI::ValidationError("--scale", "needs an SVG. Add --layout FILE.svg");
-  const char* picture = !c.heatMap.empty()            ? "--heat-map"
-                        : !c.layout.empty() && !isSvg ? "--layout"
-                                                      : nullptr;
-  if (picture != nullptr && c.options.resolution > kMostPictureTexels)
-    throw CLI::ValidationError(
-        picture, "a PNG has at most " + std::to_string(kMostPictureTexels) +
-                     " pixels along a side. Lower --resolution, or write the layout as .svg");
+  checkPicture("--heat-map", c.heatMap, c.options.resolution);
+  checkPicture("--layout", c.layout, c.options.resolution);
 }
 
 /// Standard input can be read only once.
@@ -127,7 +104,10 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addPictures(*sub, c);
   addOptions(*sub, c.options);
   addTexcoordSet(*sub, c.texcoord);
-  addReadTexcoord(*sub, c.gltf.texcoord);
+  addReadTexcoord(
+      *sub, c.gltf.texcoord,
+      "glTF set that --seams uv and --keep uv refer to: TEXCOORD_0 to TEXCOORD_7; --keep "
+      "uv also writes it unless --texcoord names another");
   addOwnTexels(*sub, c.gltf.ownTexels);
   addAllowOutside(*sub, c.allowsOutside);
   addReport(*sub, c.report);
@@ -162,8 +142,7 @@ void checkTogether(const UnwrapCommand& c) {
       refuse(target->option, "would replace the file of --keep");
     if (replaces(target->path, c.pins)) refuse(target->option, "would replace the file of --pins");
   }
-  if (c.options.udim && c.options.texelDensity == kAutoTexelDensity)
-    throw CLI::ValidationError("--udim", "needs a numeric --texel-density");
+  checkUdim(c.options);
   checkPictures(c);
   checkStandardInput(c);
 }

@@ -7,6 +7,7 @@ namespace abflat::cli {
 // Each returns the exit code, after reporting any error on standard error.
 int runUnwrap(const UnwrapCommand& command);
 int runFlatten(const FlattenCommand& command);
+int runPack(const PackCommand& command);
 int runInspect(const InspectCommand& command);
 int runSample(const SampleCommand& command);
 int runSweep(const SweepCommand& command);

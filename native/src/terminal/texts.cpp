@@ -35,6 +35,11 @@ std::vector<std::string> repairLines(const RepairReport& r) {
   return lines;
 }
 
+std::string tilesText(int tiles, int resolution) {
+  const std::string side = std::to_string(resolution);
+  return (tiles > 1 ? std::to_string(tiles) + " tiles of " : "") + side + " x " + side;
+}
+
 std::string stackedText(const AtlasReport& atlas) {
   const auto charts = static_cast<std::size_t>(atlas.stackedCharts);
   return counted(charts, "chart lies on ", "charts lie on ") + std::to_string(atlas.stackedPlaces) +
@@ -111,15 +116,29 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << "\n"
       << "  distortion: angles " << report.angularDistortion << ", conformal "
       << report.quasiConformalMean << ", symmetric Dirichlet " << report.symmetricDirichlet << "\n"
-      << "  atlas: "
-      << (report.atlas.tiles > 1 ? std::to_string(report.atlas.tiles) + " tiles of " : "")
-      << report.atlas.resolution << " x " << report.atlas.resolution << ", "
+      << "  atlas: " << tilesText(report.atlas.tiles, report.atlas.resolution) << ", "
       << 100 * report.atlas.utilization << " % used, " << report.atlas.texelDensity
       << " texels per unit\n";
   if (report.atlas.packingCuts > 0)
     out << "  " << counted(static_cast<std::size_t>(report.atlas.packingCuts), "cut", "cuts")
         << " to pack tighter (without: " << report.atlas.uncutTexelDensity << " texels per unit)\n";
   if (report.atlas.stackedCharts > 0) out << "  " << stackedText(report.atlas) << "\n";
+  for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
+  out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
+  return out.str();
+}
+
+std::string packText(const PackReport& report, const std::string& inputName,
+                     const std::string& outputName) {
+  std::ostringstream out;
+  out << std::setprecision(3);
+  out << printable(inputName) << " -> " << printable(outputName) << "\n"
+      << "  " << counted(report.islands, "island", "islands")
+      << (report.mirrored > 0 ? ", " + std::to_string(report.mirrored) + " mirrored" : "") << "\n"
+      << "  atlas: " << tilesText(report.tiles, report.resolution) << ", "
+      << 100 * report.utilizationBefore << " % used before, " << 100 * report.utilization
+      << " % now; lengths in uv are " << report.scale << " times what they were, "
+      << report.texelDensity << " texels per unit\n";
   for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();

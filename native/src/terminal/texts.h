@@ -4,6 +4,7 @@
 
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
+#include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
 
 namespace abflat::cli {
@@ -15,6 +16,10 @@ std::string resultText(const Report& report, const std::string& inputName,
 /// The same for an atlas.
 std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
                        const std::string& outputName);
+
+/// The same for a layout that has been packed again.
+std::string packText(const PackReport& report, const std::string& inputName,
+                     const std::string& outputName);
 
 /// An aligned table of a mesh's properties.
 std::string inspectText(const MeshSummary& summary, const std::string& name,

@@ -99,3 +99,9 @@ TEST_CASE("the overlap of random triangles is that of their areas", "[overlap]")
     if (pair) CHECK(commonArea(&all[6 * (*pair)[0]], &all[6 * (*pair)[1]]) > 0);
   }
 }
+
+TEST_CASE("overlap: between groups only, whichever way round") {
+  const std::vector<double> uv = {0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 2, 0, 3, 0, 2, 1};
+  CHECK(findOverlapBetween(uv, {0, 1, 2}) == std::array<std::uint32_t, 2>{0, 1});
+  CHECK(!findOverlapBetween(uv, {0, 0, 2}));
+}

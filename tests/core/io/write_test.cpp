@@ -179,3 +179,17 @@ TEST_CASE("line ends of the source are kept, mixed ones too") {
   const std::string out = writeObj({}, {0, 0, 1, 0, 0, 1}, {0, 1, 2}, source);
   CHECK(out == "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nvt 0 0\r\nvt 1 0\r\nvt 0 1\r\nf 1/1 2/2 3/3\r\n");
 }
+
+TEST_CASE("corners without texcoords have none, whatever else they have") {
+  const std::string source = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1/1/1 2//1 3\nf 1 2/2 3//1\n";
+  const PolygonMesh mesh = readMesh(source, MeshFormat::Obj, "in.obj").value();
+  const std::vector<std::uint32_t> cornerUv = {kNoTexcoord, kNoTexcoord, kNoTexcoord,
+                                               0,           kNoTexcoord, 0};
+  CHECK(writeObj(mesh, {0.5, 0.25}, cornerUv, source) ==
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0.5 0.25\nf 1//1 2//1 3\nf 1/1 2 3/1/1\n");
+  const std::string fresh = writeObj(mesh, {0.5, 0.25}, cornerUv);
+  CHECK(fresh.substr(fresh.find('f')) == "f 1 2 3\nf 1/1 2 3/1\n");
+  const PolygonMesh ply =
+      readMesh(writePly(mesh, {0.5, 0.25}, cornerUv), MeshFormat::Ply, "out.ply").value();
+  CHECK(ply.vertexCount() == 5);
+}

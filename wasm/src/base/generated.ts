@@ -21,6 +21,7 @@ export const STATUS_NAMES = [
   'CannotWrite',
   'Internal',
   'AtlasTooSmall',
+  'NoTexcoords',
 ] as const;
 
 export type StatusName = (typeof STATUS_NAMES)[number];
@@ -46,6 +47,7 @@ export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; read
   CannotWrite: { exit: 5, text: 'the output cannot be written' },
   Internal: { exit: 4, text: 'a bug in abflat; please report it with the mesh' },
   AtlasTooSmall: { exit: 4, text: 'the charts do not fit the atlas; the message names a resolution or texel density at which they fit' },
+  NoTexcoords: { exit: 4, text: 'no face of the mesh has texcoords, so it has no layout to pack' },
 };
 
 export type Untangle = 'auto' | 'none' | 'local' | 'global' | 'best';

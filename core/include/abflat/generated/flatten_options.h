@@ -211,7 +211,8 @@ inline double wordValue(const FlattenOptionValues&, int index, std::string_view 
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
-inline double unitSize(const FlattenOptionValues&, int index, char letter) {
+inline double unitSize(const FlattenOptionValues&, [[maybe_unused]] int index,
+                       [[maybe_unused]] char letter) {
   if (index == 4 && letter == 'M') return 1;
   if (index == 4 && letter == 'G') return 1024;
   if (index == 4 && letter == 'T') return 1048576;

@@ -35,10 +35,11 @@ enum class StatusCode : int {
   CannotWrite = 16,  ///< the output cannot be written
   Internal = 17,  ///< a bug in abflat; please report it with the mesh
   AtlasTooSmall = 18,  ///< the charts do not fit the atlas; the message names a resolution or texel density at which they fit
+  NoTexcoords = 19,  ///< no face of the mesh has texcoords, so it has no layout to pack
 };
 
 constexpr int kExitCodeCount = 6;
-constexpr int kStatusCodeCount = 19;
+constexpr int kStatusCodeCount = 20;
 
 /// "NonManifoldEdge"; the name that reports and error objects carry.
 inline const char* statusName(StatusCode code) {
@@ -81,6 +82,8 @@ inline const char* statusName(StatusCode code) {
       return "Internal";
     case StatusCode::AtlasTooSmall:
       return "AtlasTooSmall";
+    case StatusCode::NoTexcoords:
+      return "NoTexcoords";
   }
   return "Internal";
 }
@@ -126,6 +129,8 @@ inline const char* statusText(StatusCode code) {
       return "a bug in abflat; please report it with the mesh";
     case StatusCode::AtlasTooSmall:
       return "the charts do not fit the atlas; the message names a resolution or texel density at which they fit";
+    case StatusCode::NoTexcoords:
+      return "no face of the mesh has texcoords, so it has no layout to pack";
   }
   return "";
 }
@@ -154,6 +159,7 @@ inline int exitCodeOf(StatusCode code) {
     case StatusCode::Aborted:
     case StatusCode::Internal:
     case StatusCode::AtlasTooSmall:
+    case StatusCode::NoTexcoords:
       return static_cast<int>(ExitCode::NotFlattenable);
     case StatusCode::CannotWrite:
       return static_cast<int>(ExitCode::CannotWrite);

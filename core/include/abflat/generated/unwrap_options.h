@@ -366,7 +366,8 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
-inline double unitSize(const UnwrapOptionValues&, int index, char letter) {
+inline double unitSize(const UnwrapOptionValues&, [[maybe_unused]] int index,
+                       [[maybe_unused]] char letter) {
   if (index == 19 && letter == 'M') return 1;
   if (index == 19 && letter == 'G') return 1024;
   if (index == 19 && letter == 'T') return 1048576;

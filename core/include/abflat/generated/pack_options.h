@@ -1,0 +1,132 @@
+// Generated from core/schema by scripts/generate.mjs, do not edit.
+// clang-format off
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "abflat/generated/unwrap_options.h"
+
+namespace abflat {
+
+/// How large islands are beside each other.
+enum class IslandSizes : int {
+  Keep = 0,  ///< as large to each other as they are
+  Even = 1,  ///< the same texel density for all; islands that lie on each other share one scale
+};
+
+inline const char* nameOf(IslandSizes code) {
+  switch (code) {
+    case IslandSizes::Keep:
+      return "keep";
+    case IslandSizes::Even:
+      return "even";
+  }
+  return "";
+}
+
+
+/// The options of packing a layout that are plain values, with their defaults.
+struct PackOptionValues {
+  /// side of the texture in texels
+  int resolution = 1024;
+  /// free texels between islands
+  int padding = 2;
+  /// texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)
+  double texelDensity = 0;
+  /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
+  bool udim = false;
+  /// how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
+  Rotate rotate = Rotate::Auto;
+  /// how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale
+  IslandSizes islandSizes = IslandSizes::Keep;
+  /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
+  int threads = 0;
+};
+
+inline OptionInfos optionInfos(const PackOptionValues&) {
+  static constexpr OptionInfo kInfos[] = {
+    {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
+    {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between islands", false, false},
+    {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
+    {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
+    {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
+    {"islandSizes", "--island-sizes", "keep", "keep, even", "how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale", false, true},
+    {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
+  };
+  return {kInfos, 7};
+}
+
+/// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
+/// the numbers that stand for words are refused.
+inline bool setOption(PackOptionValues& options, int index, double value,
+                      [[maybe_unused]] bool isWord = true) {
+  switch (index) {
+    case 0:
+      if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
+      options.resolution = static_cast<int>(value);
+      return true;
+    case 1:
+      if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
+      options.padding = static_cast<int>(value);
+      return true;
+    case 2:
+      if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
+      options.texelDensity = static_cast<double>(value);
+      return true;
+    case 3:
+      if (!(value == 0 || value == 1)) return false;
+      options.udim = value != 0;
+      return true;
+    case 4:
+      if (!(value >= 0 && value < 4 && value == std::trunc(value))) return false;
+      options.rotate = static_cast<Rotate>(static_cast<int>(value));
+      return true;
+    case 5:
+      if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
+      options.islandSizes = static_cast<IslandSizes>(static_cast<int>(value));
+      return true;
+    case 6:
+      if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
+      options.threads = static_cast<int>(value);
+      return true;
+  }
+  return false;
+}
+
+/// The number that stands for a word ("auto") or a choice of an option.
+inline double wordValue(const PackOptionValues&, int index, std::string_view text, bool& found) {
+  if (index == 2 && text == "auto") return found = true, 0;
+  if (index == 4 && text == "auto") return found = true, 0;
+  if (index == 4 && text == "free") return found = true, 1;
+  if (index == 4 && text == "quarter") return found = true, 2;
+  if (index == 4 && text == "none") return found = true, 3;
+  if (index == 5 && text == "keep") return found = true, 0;
+  if (index == 5 && text == "even") return found = true, 1;
+  return found = false, 0;
+}
+
+/// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
+inline double unitSize(const PackOptionValues&, [[maybe_unused]] int index,
+                       [[maybe_unused]] char letter) {
+
+  return 0;
+}
+
+/// Calls visit(name, value) for every option; words and choices are passed as text.
+template <class Visit>
+void forEachOption(const PackOptionValues& options, Visit&& visit) {
+  visit("resolution", options.resolution);
+  visit("padding", options.padding);
+  if (options.texelDensity == 0)
+    visit("texelDensity", "auto");
+  else
+    visit("texelDensity", options.texelDensity);
+  visit("udim", options.udim);
+  visit("rotate", nameOf(options.rotate));
+  visit("islandSizes", nameOf(options.islandSizes));
+  visit("threads", options.threads);
+}
+
+}  // namespace abflat

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "abflat/export.h"
+#include "abflat/generated/mesh_format.h"
+#include "abflat/generated/pack_options.h"
+#include "abflat/generated/pack_report.h"
+#include "abflat/mesh.h"
+#include "abflat/progress.h"
+
+namespace abflat {
+
+struct PackLayoutOptions : PackOptionValues {
+  /// To what texcoords are rounded before they are checked.
+  Precision precision = Precision::Double;
+  ProgressCallback progress;
+};
+
+/// Stands for the island of a face without texcoords.
+constexpr std::uint32_t kNoIsland = 0xffffffffu;
+
+struct PackLayoutResult {
+  /// 2 per texcoord: those of the mesh that faces use, in their order, then one more where islands
+  /// that have moved apart shared one.
+  std::vector<double> uv;
+  std::vector<std::uint32_t> cornerUv;         ///< per face corner, or kNoTexcoord
+  std::vector<std::uint32_t> islandOfFace;     ///< or kNoIsland
+  std::vector<std::uint32_t> triangleCorners;  ///< 3 face corners per triangle, by face
+  PackReport report;  ///< the caller fills in path, the read and write times, and the total
+};
+
+/// Packs the layout that a mesh has: its uv islands are moved, turned and scaled, and otherwise
+/// stay as they are. Islands that lie on each other, by half of the smaller one or more, move
+/// together. Any layout will do: islands may be mirrored, overlap themselves, or lie anywhere.
+/// Errors: InvalidOption, InvalidMesh, EmptyMesh, NoTexcoords, AtlasTooSmall, Aborted.
+ABFLAT_API Result<PackLayoutResult> packLayout(const PolygonMesh& mesh,
+                                               const PackLayoutOptions& options);
+
+/// The report as JSON text, indented by two spaces; keys as in docs/report.md.
+ABFLAT_API std::string packReportJson(const PackReport& report);
+
+}  // namespace abflat

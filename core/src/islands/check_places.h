@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace abflat {
+
+/// Triangles in their places, as the reader of a file gets them.
+struct PlacedTriangles {
+  std::vector<double> uv;            ///< 6 coordinates per triangle
+  std::vector<std::uint32_t> face;   ///< per triangle, of the input
+  std::vector<std::uint32_t> stack;  ///< per triangle; stacks may overlap themselves
+};
+
+/// What is wrong with a packed layout, decided exactly; empty if each stack lies in a tile and no
+/// two overlap. `tiles`: how many there are, ten in a row.
+std::string problemOf(const PlacedTriangles& placed, std::uint32_t tiles);
+
+}  // namespace abflat

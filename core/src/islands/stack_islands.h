@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/listener.h"
+#include "islands/island_triangles.h"
+
+namespace abflat {
+
+/// Which islands lie on each other on purpose.
+struct IslandStacks {
+  std::vector<std::uint32_t> first;          ///< per island, the first one of its stack
+  std::vector<std::uint8_t> overlapsOthers;  ///< per island: slightly, one of another stack
+};
+
+/// Puts islands on one stack that have half of the smaller one or more in common, however they are
+/// numbered. An island without area is on the stack of one that contains all its points. Incomplete
+/// once `listener` has stopped.
+IslandStacks stackIslands(const IslandTriangles& triangles, const Listener& listener);
+
+}  // namespace abflat

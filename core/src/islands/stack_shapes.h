@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "islands/island_triangles.h"
+#include "pack/pack.h"
+
+namespace abflat {
+
+/// Islands that move together, as packing sees them.
+struct IslandStack {
+  std::vector<std::uint32_t> islands;
+  UvBox box;
+  double coveredArea = 0;  ///< in uv; what is covered more than once counts once
+  double uvArea = 0;       ///< of all triangles
+  double surfaceArea = 0;  ///< in 3D
+  double factor = 1;       ///< length in its shape per length in uv
+
+  double middle(std::size_t axis) const { return (box.low[axis] + box.high[axis]) / 2; }
+};
+
+/// The stacks, in an order that follows from the layout alone. `first`: per island, the first one
+/// of its stack; `surfaceArea`: per island.
+std::vector<IslandStack> listStacks(const IslandTriangles& triangles,
+                                    const std::vector<std::uint32_t>& first,
+                                    const std::vector<double>& surfaceArea);
+
+/// Its triangles around its middle, all counter-clockwise, so that what is mirrored or folded
+/// covers as much as anything else.
+PackShape shapeOf(const IslandStack& stack, const IslandTriangles& triangles);
+
+}  // namespace abflat
