@@ -121,7 +121,7 @@ Attempt ChartFlattener::attempt(const BoundaryBounds& t, const Attempt* warm, Ex
   Attempt a;
   a.t = t;
   if (warm) a.delaunayMargin = warm->delaunayMargin;
-  const bool isDelaunay = a.delaunayMargin.has_value();
+  const bool isDelaunay = warm && warm->delaunayMargin;
   setAllBounds(a.t, a.delaunayMargin);
   Stopwatch watch;
   a.solution =
