@@ -8,6 +8,12 @@
 
 namespace abflat {
 
+/// The nearest whole number of one that is not negative. lround is slower.
+inline std::uint32_t nearestWhole(float value) {
+  const float next = value + 0.5f;
+  return static_cast<std::uint32_t>(next);
+}
+
 /// The numbers in an image and the linear values from 0 to 1 that they stand for.
 class Codec {
  public:
@@ -19,7 +25,7 @@ class Codec {
   /// The nearest number, as encoded.
   std::uint32_t encode(float value) const {
     const float v = std::min(std::max(value, 0.0f), 1.0f);
-    if (firstIn_.empty()) return static_cast<std::uint32_t>(v * static_cast<float>(most_) + 0.5f);
+    if (firstIn_.empty()) return nearestWhole(v * static_cast<float>(most_));
     std::uint32_t code = firstIn_[static_cast<std::size_t>(v * cells_)];
     while (code < most_ && v >= lower_[code + 1]) ++code;
     return code;

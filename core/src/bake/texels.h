@@ -51,7 +51,7 @@ void store(const Colour& colour, const Codec& codec, int channels, Number* texel
   if (!hasAlpha) return;
   const float alpha = std::min(std::max(colour.v[3], 0.0f), 1.0f);
   const auto most = static_cast<float>(codec.values().size() - 1);
-  texel[channels - 1] = static_cast<Number>(alpha * most + 0.5f);
+  texel[channels - 1] = static_cast<Number>(nearestWhole(alpha * most));
 }
 
 /// work(TexelType<...>()) for the texels of a texture.
