@@ -19,6 +19,7 @@
 #include "islands/find_islands.h"
 #include "islands/stack_islands.h"
 #include "islands/stack_shapes.h"
+#include "mesh/input_mesh.h"
 #include "mesh/triangle_geometry.h"
 #include "mesh/triangulate.h"
 #include "pack/pack.h"
@@ -27,13 +28,6 @@ namespace abflat {
 namespace {
 
 Status cancelled() { return {StatusCode::Aborted, "cancelled"}; }
-
-/// Exponent of the power of two that scales the largest coordinate into 1 to 2.
-int exponentOf(const PolygonMesh& mesh) {
-  double largest = 0;
-  for (const double x : mesh.positions) largest = std::max(largest, std::abs(x));
-  return largest > 0 ? std::ilogb(largest) : 0;
-}
 
 double ratio(double a, double b) { return a > 0 && b > 0 ? a / b : 0; }
 
@@ -165,12 +159,7 @@ class LayoutPacker {
       shapes.push_back(shapeOf(stack, triangles_));
       if (!listener.beat(shapes.back().triangles.size())) return cancelled();
     }
-    PackOptions how;
-    how.resolution = options_.resolution;
-    how.padding = options_.padding;
-    how.rotate = options_.rotate;
-    how.texelDensity = options_.texelDensity;
-    how.udim = options_.udim;
+    PackOptions how = packOptionsOf(options_);
     how.unit = std::ldexp(1.0, exponent_);
     how.work = usualWork(shapes);
     how.pool = &pool;

@@ -1,8 +1,11 @@
 #include "mesh/input_mesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace abflat {
+
 const PolygonMesh& InputMesh::extras() const {
   static const PolygonMesh kNoExtras;
   return polygons_ ? *polygons_ : kNoExtras;
@@ -20,6 +23,13 @@ PolygonMesh InputMesh::copy() const {
   vertices.reserve(cornerCount());
   for (std::size_t c = 0; c < cornerCount(); ++c) vertices.push_back(vertex(c));
   return makeTriangleMesh(std::move(positions), std::move(vertices));
+}
+
+int exponentOf(const InputMesh& mesh) {
+  double largest = 0;
+  for (std::size_t c = 0; c < mesh.cornerCount(); ++c)
+    for (const double x : mesh.position(mesh.vertex(c))) largest = std::max(largest, std::abs(x));
+  return largest > 0 ? std::ilogb(largest) : 0;
 }
 
 }  // namespace abflat

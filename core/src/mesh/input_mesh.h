@@ -53,4 +53,7 @@ class InputMesh {
   std::optional<MeshView> view_;
 };
 
+/// Exponent of the power of two that scales the largest coordinate of a face into 1 to 2.
+int exponentOf(const InputMesh& mesh);
+
 }  // namespace abflat

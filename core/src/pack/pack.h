@@ -45,6 +45,18 @@ struct PackOptions {
   Listener listener;  ///< once it has stopped, the status is Aborted
 };
 
+/// The options that calls have in common.
+template <class Options>
+PackOptions packOptionsOf(const Options& options) {
+  PackOptions out;
+  out.resolution = options.resolution;
+  out.padding = options.padding;
+  out.rotate = options.rotate;
+  out.texelDensity = options.texelDensity;
+  out.udim = options.udim;
+  return out;
+}
+
 /// Where a chart goes: (u, v) -> (a u - b v + x, b u + a v + y), inside the unit square of its
 /// tile. a and b are the scale times cosine and sine.
 struct Placement {

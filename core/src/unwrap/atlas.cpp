@@ -123,12 +123,7 @@ void fitAll(const PackedCharts& packed, const UnwrapOptions& options, Numbers nu
 
 Status packAll(const PackedCharts& packed, const UnwrapOptions& options, const Listener& listener,
                AtlasReport& atlas) {
-  PackOptions how;
-  how.resolution = options.resolution;
-  how.padding = options.padding;
-  how.rotate = options.rotate;
-  how.texelDensity = options.texelDensity;
-  how.udim = options.udim;
+  PackOptions how = packOptionsOf(options);
   how.unit = packed.unit;
   how.pool = &packed.pool;
   how.listener = listener;

@@ -11,6 +11,7 @@
 #include "base/listener.h"
 #include "base/parallel.h"
 #include "cut/front.h"
+#include "mesh/input_mesh.h"
 #include "mesh/surface_map.h"
 #include "seam/given_seams.h"
 #include "unwrap/asked_parts.h"
@@ -36,14 +37,6 @@
 
 namespace abflat {
 namespace {
-
-/// Exponent of the power of two that scales the largest coordinate of a face into 1 to 2.
-int exponentOf(const InputMesh& mesh) {
-  double largest = 0;
-  for (std::size_t c = 0; c < mesh.cornerCount(); ++c)
-    for (const double x : mesh.position(mesh.vertex(c))) largest = std::max(largest, std::abs(x));
-  return largest > 0 ? std::ilogb(largest) : 0;
-}
 
 /// How often the search for seams reports until about half of it is done; by measurement.
 double usualReports(std::size_t triangles) { return 40 + 3e-4 * static_cast<double>(triangles); }
