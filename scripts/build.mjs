@@ -29,8 +29,8 @@ const WASM_BUILDS = {
 /** Runs in all browsers of recent years, with and without isolation: good enough to start with. */
 const FIRST_BUILD = 'wasm-simd';
 const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) => {
-  const name = folder === 'wasm-threads' ? 'abflat-threads' : 'abflat';
-  return ['mjs', 'wasm'].map((type) => `build/${folder}/${name}.${type}`);
+  const names = folder === 'wasm-threads' ? ['abflat-threads'] : ['abflat', 'abflat-bake'];
+  return names.flatMap((name) => ['mjs', 'wasm'].map((type) => `build/${folder}/${name}.${type}`));
 });
 
 const FIRST_PAGE = join(BUILD, 'first-page');

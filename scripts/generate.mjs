@@ -29,10 +29,15 @@ import {
   renderMeshFormat,
   renderPageFormats,
 } from './lib/generate-formats.mjs';
-import { renderResultArrays, renderTypeScript } from './lib/generate-ts.mjs';
+import {
+  renderBits,
+  renderLateOptions,
+  renderResultArrays,
+  renderTypeScript,
+} from './lib/generate-ts.mjs';
 import { renderReportTypes } from './lib/generate-ts-report.mjs';
 import { readSchema } from './lib/read-schema.mjs';
-import { optionSets } from './lib/schema.mjs';
+import { ofProgram, optionSets } from './lib/schema.mjs';
 
 const REPO = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const SCHEMA = 'core/schema';
@@ -45,7 +50,7 @@ export function renderAll(root) {
   const files = new Map([
     ['core/include/abflat/generated/status_code.h', renderStatusCode(schema)],
     ['core/include/abflat/generated/names.h', renderNames(schema)],
-    ...optionSets(schema).map((set, i, sets) => [
+    ...optionSets(ofProgram(schema)).map((set, i, sets) => [
       `core/include/abflat/generated/${set.verb}_options.h`,
       renderOptions(set, sets[i - 1]?.verb),
     ]),
@@ -59,8 +64,10 @@ export function renderAll(root) {
     ['wasm/bindings/generated/field.h', renderField(schema)],
     ['wasm/bindings/generated/unwrap_array.h', renderUnwrapArrays(schema)],
     ['wasm/src/base/generated.ts', renderTypeScript(schema)],
+    ['wasm/src/base/generated-bake.ts', renderLateOptions(schema)],
     ['wasm/src/base/generated-report.ts', renderReportTypes(schema)],
     ['wasm/src/base/generated-arrays.ts', renderResultArrays(schema)],
+    ['wasm/src/base/generated-bits.ts', renderBits(schema)],
   ]);
   if (existsSync(join(root, MANIFEST)))
     files.set(MANIFEST, fillManifest(readFileSync(join(root, MANIFEST), 'utf8'), schema));

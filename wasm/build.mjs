@@ -4,12 +4,12 @@
 // old
 
 import { execFileSync } from 'node:child_process';
-import { readdirSync, rmSync } from 'node:fs';
+import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { buildSync } from 'esbuild';
+import { buildSync, transformSync } from 'esbuild';
 import { writeLicenses } from '../scripts/lib/licenses.mjs';
 import { BUILDS, missingModule, NAMES, placeModules } from './modules.mjs';
 
@@ -27,10 +27,20 @@ function joinWorkers() {
     bundle: true,
     format: 'esm',
     target: 'es2022',
+    minifySyntax: true,
     outdir: DIST,
     allowOverwrite: true,
     external: ['node:*', ...NAMES.map((name) => `./${name}.js`)],
   });
+}
+
+/** Browsers load scripts; the comments that people need are in the types. */
+function leaveOutComments() {
+  for (const name of readdirSync(DIST, { recursive: true }).filter((name) => /\.js$/.test(name))) {
+    const path = join(DIST, name);
+    const { code } = transformSync(readFileSync(path, 'utf8'), { format: 'esm', target: 'es2022' });
+    writeFileSync(path, code);
+  }
 }
 
 const { values } = parseArgs({ options: { only: { type: 'string' } } });
@@ -49,5 +59,6 @@ const tsc = createRequire(import.meta.url).resolve('typescript/bin/tsc');
 rmSync(DIST, { recursive: true, force: true });
 execFileSync(process.execPath, [tsc, '-p', HERE], { stdio: 'inherit' });
 joinWorkers();
+leaveOutComments();
 placeModules(DIST, builds);
 writeLicenses(DIST, 'wasm');

@@ -16,20 +16,28 @@ const MODULES = {
   threads: { folder: 'wasm-threads', built: 'abflat-threads', name: 'abflat-threads' },
 };
 export const BUILDS = Object.keys(MODULES);
+
+/** The module that bakes, the same for all builds: vectors make it hardly faster. */
+const bakeOf = (build) => ({
+  folder: MODULES[build].folder,
+  built: 'abflat-bake',
+  name: 'abflat-bake',
+});
+
 /** Base names in dist/. */
-export const NAMES = Object.values(MODULES).map(({ name }) => name);
+export const NAMES = [...Object.values(MODULES), bakeOf('plain')].map(({ name }) => name);
 
 const pathOf = ({ folder, built }, ending) => join(BUILD, folder, `${built}${ending}`);
 
 /** A file that is missing for `builds`, if any. */
 export const missingModule = (builds) =>
-  builds
-    .flatMap((build) => ['.mjs', '.wasm'].map((ending) => pathOf(MODULES[build], ending)))
+  [...builds.map((build) => MODULES[build]), bakeOf(builds[0])]
+    .flatMap((module) => ['.mjs', '.wasm'].map((ending) => pathOf(module, ending)))
     .find((path) => !existsSync(path));
 
 /**
- * Adds a section "abflat.build" to the module that says which build it is; all lengths fit in one
- * byte.
+ * Adds a section "abflat.build" to the module that says which build it is, or `bake`; all lengths
+ * fit in one byte.
  */
 function labelled(bytes, build) {
   const name = Buffer.from('abflat.build');
@@ -115,18 +123,23 @@ function ownScript(text, built, name) {
 export function placeModules(dist, builds = BUILDS) {
   for (const [wanted, { name }] of Object.entries(MODULES)) {
     const build = builds.includes(wanted) ? wanted : builds[0];
-    const module = MODULES[build];
-    const read = (ending) => readFileSync(pathOf(module, ending), 'utf8');
-    const wasm = readFileSync(pathOf(module, '.wasm'));
-    writeFileSync(join(dist, `${name}.wasm`), labelled(wasm, build));
-    // Not .mjs, which some servers send without a content type.
-    writeFileSync(join(dist, `${name}.js`), ownScript(read('.mjs'), module.built, name));
-    // The script that a thread starts with; newer releases of Emscripten have it in the module's
-    // script.
-    if (existsSync(pathOf(module, '.worker.js')))
-      writeFileSync(
-        join(dist, `${name}.worker.js`),
-        ownStarter(read('.worker.js'), `${module.built}.mjs`),
-      );
+    place(dist, MODULES[build], { label: build, name });
   }
+  const bake = bakeOf(builds[0]);
+  place(dist, bake, { label: 'bake', name: bake.name });
+}
+
+function place(dist, module, { label, name }) {
+  const read = (ending) => readFileSync(pathOf(module, ending), 'utf8');
+  const wasm = readFileSync(pathOf(module, '.wasm'));
+  writeFileSync(join(dist, `${name}.wasm`), labelled(wasm, label));
+  // Not .mjs, which some servers send without a content type.
+  writeFileSync(join(dist, `${name}.js`), ownScript(read('.mjs'), module.built, name));
+  // The script that a thread starts with; newer releases of Emscripten have it in the module's
+  // script.
+  if (existsSync(pathOf(module, '.worker.js')))
+    writeFileSync(
+      join(dist, `${name}.worker.js`),
+      ownStarter(read('.worker.js'), `${module.built}.mjs`),
+    );
 }

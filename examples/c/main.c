@@ -1,5 +1,6 @@
-/* Unwraps a cube and prints where its corners lie in the atlas. */
+/* Unwraps a cube, prints where its corners lie in the atlas, and packs that with more padding. */
 #include <stdio.h>
+#include <string.h>
 
 #include "abflat/abflat.h"
 
@@ -15,6 +16,21 @@ static int progress(const char* stage, double share, void* user) {
   (void)share;
   ++*(int*)user;
   return 1; /* 0 would cancel */
+}
+
+/* Packs the charts of a result once more, as any layout can be. */
+static int pack_again(const abflat_result* unwrapped, const abflat_options* options) {
+  float at[36][4]; /* room for all corners of the faces */
+  abflat_mesh mesh = {.positions = at, .positions_are_floats = 1, .position_stride = sizeof at[0]};
+  const uint32_t* vertices = abflat_vertices(unwrapped, &mesh.vertex_count);
+  for (size_t i = 0; i < mesh.vertex_count; ++i) memcpy(at[i], corners[vertices[i]], sizeof at[i]);
+  mesh.triangles = abflat_triangles(unwrapped, &mesh.triangle_count);
+  mesh.texcoords = abflat_uv(unwrapped, NULL);
+  abflat_result* packed = NULL;
+  int status = abflat_pack(&mesh, options, NULL, NULL, &packed);
+  if (status == 0) printf("packed again: %s\n", abflat_is_valid(packed) ? "valid" : "not valid");
+  abflat_free_result(packed);
+  return status;
 }
 
 int main(void) {
@@ -43,6 +59,8 @@ int main(void) {
     printf("abflat %s: %s\n", abflat_version(), abflat_is_valid(result) ? "valid" : "not valid");
     for (size_t i = 0; i < count; ++i)
       printf("corner %u: %.3f %.3f\n", (unsigned)vertices[i], uv[2 * i], uv[2 * i + 1]);
+    status = abflat_set_option(options, "padding", "16");
+    if (status == 0) status = pack_again(result, options);
   }
   abflat_free_result(result);
   abflat_free_options(options);

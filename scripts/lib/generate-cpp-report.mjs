@@ -58,12 +58,12 @@ function projectHeaders(struct, types) {
   });
 }
 
-function cppType({ type, list, null: isNullable }, types) {
+function cppType({ type, list, null: isNullable, absent }, types) {
   const stored = storedType(type, types);
   const struct = types.get(stored)?.struct;
   const base = PLAIN_TYPES[type]?.cpp ?? struct?.cpp ?? stored;
   if (list) return `std::vector<${base}>`;
-  return struct && isNullable ? `std::optional<${base}>` : base;
+  return struct && (isNullable || (absent && !struct.cpp)) ? `std::optional<${base}>` : base;
 }
 
 /** The value of a field before anything is known. */
@@ -126,6 +126,7 @@ function visitLines(field, types) {
   const { struct, options } = types.get(field.type);
   const special = struct?.cpp || struct?.viewOf ? lowerFirst(struct.name) : options && 'options';
   const value = struct?.viewOf ? 'r' : `r.${field.name}`;
+  if (field.absent && !struct.cpp) return [`  if (${value}) v.field("${field.name}", *${value});`];
   return [`  v.${special || 'field'}("${field.name}", ${value});`];
 }
 

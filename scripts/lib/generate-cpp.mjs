@@ -105,11 +105,11 @@ const NO_SHADOW = '#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored "
  * Enums for reports and progress, one byte each, since there may be as many charts as triangles.
  */
 export function renderNames({ enums }) {
-  const parts = enums.flatMap(({ name, text, values }) => [
+  const parts = enums.flatMap(({ name, text, values, bits }) => [
     enumClass(
       name,
       sentence(text),
-      values.map((value, i) => [pascalCase(value.name), i, value.text]),
+      values.map((value, i) => [pascalCase(value.name), bits ? 1 << i : i, value.text]),
       'std::uint8_t',
     ),
     switchFunction(

@@ -2,7 +2,7 @@
 
 import { PRECISIONS } from './formats.mjs';
 import { isIn, isNullable, typesOf } from './report-schema.mjs';
-import { flagOf, fullText, rangeText, withoutResearch } from './schema.mjs';
+import { flagOf, fullText, isOptionOf, ofPackage, ofProgram, rangeText } from './schema.mjs';
 
 const TABLES = {
   'exit-codes': ({ exitCodes }) =>
@@ -29,6 +29,7 @@ const TABLES = {
   'flatten-options': ({ flattenOptions }) => optionTable(flattenOptions),
   'unwrap-options': ({ unwrapOptions }) => optionTable(unwrapOptions),
   'pack-options': ({ packOptions }) => optionTable(packOptions),
+  'bake-options': ({ bakeOptions }) => optionTable(bakeOptions),
 };
 
 /** `enum-NAME` and `struct-NAME`. */
@@ -86,7 +87,7 @@ function optionTable(options) {
     ['Option', 'Command line', 'Default', 'Range', 'Meaning'],
     options.map((option) => [
       `\`${option.name}\``,
-      `\`${flagOf(option)}\``,
+      isOptionOf(option, 'cli') ? `\`${flagOf(option)}\`` : '',
       `\`${option.default}\``,
       rangeText(option),
       fullText(option),
@@ -107,7 +108,7 @@ export function fillRegions(text, schema, path) {
   const region = /^<!-- generated:([\w-]+) -->\n([\s\S]*?)^<!-- \/generated -->$/gm;
   const starts = text.match(/^<!-- generated:[\w-]+ -->$/gm) ?? [];
   if (starts.length === 0) return undefined;
-  const shown = path.startsWith('wasm/') ? withoutResearch(schema) : schema;
+  const shown = path.startsWith('wasm/') ? ofPackage(schema) : ofProgram(schema);
   let count = 0;
   const filled = text.replace(region, (_, name) => {
     const filling = tableOf(name, shown);

@@ -2,7 +2,7 @@
 
 import { TS_HEADER, union } from './generate-ts.mjs';
 import { isIn, isNullable, PLAIN_TYPES, typesOf } from './report-schema.mjs';
-import { sentence, withoutResearch } from './schema.mjs';
+import { ofPackage, sentence } from './schema.mjs';
 
 /** One file with an interface for each struct of the package. */
 export function renderReportTypes(schema) {
@@ -19,7 +19,7 @@ export function renderReportTypes(schema) {
 
 /** The names that generated.ts defines. */
 function sharedNames(schema) {
-  const known = typesOf(withoutResearch(schema));
+  const known = typesOf(ofPackage(schema));
   return new Set([...known].filter(([, type]) => type.names || type.options).map(([name]) => name));
 }
 

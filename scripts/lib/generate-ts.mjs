@@ -1,16 +1,16 @@
 // The TypeScript side of the schema.
 
 import { coreFormats, writtenFormats } from './formats.mjs';
-import { isIn } from './report-schema.mjs';
 import {
   BOUNDS,
+  constantCase,
   fullText,
   OPTION_TYPES,
+  ofPackage,
   optionSets,
   pascalCase,
   rangeText,
   sentence,
-  withoutResearch,
 } from './schema.mjs';
 
 export const TS_HEADER = '// Generated from core/schema by scripts/generate.mjs, do not edit.\n';
@@ -83,19 +83,30 @@ function optionParts({ verb, text, options, shared }) {
 const unionType = (name, text, names) =>
   `/** ${sentence(text)} */\nexport type ${name} = ${union(names)};\n`;
 
-/** A union of all names, and of the stages of each call of the package. */
+/** A constant for each value that is a bit. */
+const bitsOf = (name, text, values) =>
+  `/** The bits for ${text}. */\nexport const ${constantCase(name)} = ${object(values.map((value, i) => [value.name, 1 << i]))} as const;\n`;
+
+/** In a file of their own, so that who needs a bit does not load the texts of options. */
+export function renderBits(schema) {
+  const parts = schema.enums
+    .filter(({ bits }) => bits)
+    .map(({ name, text, values }) => bitsOf(name, text, values));
+  return `${[TS_HEADER, ...parts].join('\n').trimEnd()}\n`;
+}
+
+/** A union of all names, or of the stages of each call of the package. */
 function enumParts(schema) {
-  const absent = optionSets(schema).filter((set) => !isIn(set, 'package'));
-  return schema.enums.flatMap(({ name, text, values }) => {
+  return schema.enums.flatMap(({ name, text, values, bits }) => {
+    if (bits) return [];
     const all = new Set(values.flatMap((value) => value.of ?? []));
-    const calls = [...all].filter((call) => !absent.some(({ verb }) => verb === call));
-    if (calls.length === 0)
+    if (all.size === 0)
       return unionType(
         name,
         text,
         values.map((value) => value.name),
       );
-    return calls.map((call) =>
+    return [...all].map((call) =>
       unionType(
         `${pascalCase(call)}${name}`,
         `${text} of ${call}`,
@@ -145,12 +156,20 @@ function fileParts(schema) {
   ];
 }
 
+/** Options whose code is loaded when they are first used, so they have a file of their own. */
+const isLate = ({ verb }) => verb === 'bake';
+
+export function renderLateOptions(schema) {
+  const parts = optionSets(ofPackage(schema)).filter(isLate).flatMap(optionParts);
+  return `${[TS_HEADER, ...parts].join('\n').trimEnd()}\n`;
+}
+
 export function renderTypeScript(schema) {
   const parts = [
     TS_HEADER,
     ...statusParts(schema.statuses),
-    ...optionSets(withoutResearch(schema))
-      .filter((set) => isIn(set, 'package'))
+    ...optionSets(ofPackage(schema))
+      .filter((set) => !isLate(set))
       .flatMap(optionParts),
     ...enumParts(schema),
     ...arrayParts(schema),

@@ -12,7 +12,18 @@ const FOLDER = join(ROOT, 'scripts/licenses');
  */
 const WASM = ['eigen', 'emscripten', 'musl', 'llvm-runtimes'];
 const CONTENTS = {
-  native: ['eigen', 'fast_float', 'nlohmann-json', 'cli11', 'draco', 'meshoptimizer', 'zlib'],
+  native: [
+    'eigen',
+    'fast_float',
+    'nlohmann-json',
+    'cli11',
+    'draco',
+    'meshoptimizer',
+    'zlib',
+    'libpng',
+    'libjpeg-turbo',
+    'libwebp',
+  ],
   wasm: WASM,
   web: [
     ...WASM,

@@ -2,12 +2,14 @@
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
+import { machine } from 'node:os';
 import { join } from 'node:path';
 import { contentsOf } from './licenses.mjs';
 import { ROOT } from './paths.mjs';
 import { Failure } from './run.mjs';
 
 const PREFIXES = ['/usr/local', '/usr', '/opt/homebrew'];
+const MACHINE = machine();
 
 /** `files`: where CMake looks for the version, below a prefix. */
 const LIBRARIES = {
@@ -37,6 +39,12 @@ const LIBRARIES = {
       ),
   },
   zlib: { license: 'Zlib', versionOf: () => versionInHeader('zlib.h', /ZLIB_VERSION "([^"]+)"/) },
+  libpng: { license: 'libpng-2.0', versionOf: () => versionForLinking('libpng') },
+  'libjpeg-turbo': {
+    license: 'IJG AND BSD-3-Clause AND Zlib',
+    versionOf: () => versionForLinking('libturbojpeg'),
+  },
+  libwebp: { license: 'BSD-3-Clause', versionOf: () => versionForLinking('libwebp') },
   cli11: { license: 'BSD-3-Clause', files: ['share/cmake/CLI11/CLI11ConfigVersion.cmake'] },
   emscripten: { license: 'MIT', versionOf: emscriptenVersion },
   // Parts of Emscripten, which has its own copies.
@@ -63,6 +71,15 @@ function versionInHeader(file, pattern) {
     existsSync(path),
   );
   return found && readFileSync(found, 'utf8').match(pattern)?.[1];
+}
+
+/** The version that pkg-config would tell. */
+function versionForLinking(name) {
+  const folders = PREFIXES.flatMap((prefix) =>
+    ['lib', 'lib64', `lib/${MACHINE}-linux-gnu`].map((place) => join(prefix, place, 'pkgconfig')),
+  );
+  const found = folders.map((folder) => join(folder, `${name}.pc`)).find(existsSync);
+  return found && readFileSync(found, 'utf8').match(/^Version: *(\S+)/m)?.[1];
 }
 
 function libraryOf(entry) {

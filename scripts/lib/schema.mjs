@@ -25,9 +25,10 @@ export function checkSchema(schema) {
   const { flattenOptions } = schema;
   const unwrapOptions = resolvedSet('unwrapOptions', schema, flattenOptions);
   const packOptions = resolvedSet('packOptions', schema, [...unwrapOptions, ...flattenOptions]);
+  const bakeOptions = resolvedSet('bakeOptions', schema, [...unwrapOptions, ...flattenOptions]);
   for (const { name, values } of schema.enums) checkUnique(values, `enum ${name}`);
   checkUnique(schema.enums, 'enums');
-  return { ...schema, unwrapOptions, packOptions };
+  return { ...schema, unwrapOptions, packOptions, bakeOptions };
 }
 
 /** A set whose options may be those of others: by name alone, or with `like` and what differs. */
@@ -45,7 +46,7 @@ function resolvedSet(list, schema, others) {
 }
 
 /** The sets of options: their names, their options, and which of those another set has defined. */
-export function optionSets({ flattenOptions, unwrapOptions, packOptions }) {
+export function optionSets({ flattenOptions, unwrapOptions, packOptions, bakeOptions }) {
   return [
     {
       verb: 'flatten',
@@ -64,18 +65,37 @@ export function optionSets({ flattenOptions, unwrapOptions, packOptions }) {
       text: 'The options of packing a layout that are plain values, with their defaults.',
       options: packOptions,
       shared: namesOf([...flattenOptions, ...unwrapOptions]),
-      in: ['cpp', 'cli'],
+    },
+    {
+      verb: 'bake',
+      text: 'The options of baking that are plain values, with their defaults.',
+      options: bakeOptions,
+      shared: namesOf([...flattenOptions, ...unwrapOptions]),
     },
   ];
 }
 
 const namesOf = (options) => options.map(({ name }) => name);
 
+/** Whether an option is one of a product: `package`, or `cli`, for which C++ has it. */
+export const isOptionOf = ({ in: products = OPTION_PRODUCTS }, product) =>
+  products.includes(product);
+
+const OPTION_PRODUCTS = ['cli', 'package'];
+
+/** The schema without the options of the package alone. */
+export function ofProgram(schema) {
+  return {
+    ...schema,
+    bakeOptions: schema.bakeOptions.filter((option) => isOptionOf(option, 'cli')),
+  };
+}
+
 /**
- * The schema without what is for research, which the npm package lacks. The remaining ones keep the
- * numbers they have in C++, so they must come first.
+ * The schema without what the npm package lacks: options of the program alone, and what is for
+ * research. Of that, the remaining ones keep the numbers they have in C++, so they must come first.
  */
-export function withoutResearch(schema) {
+export function ofPackage(schema) {
   const kept = (options) =>
     leading(options, 'options').map((option) =>
       option.choices?.some(({ research }) => research)
@@ -86,6 +106,8 @@ export function withoutResearch(schema) {
     ...schema,
     flattenOptions: kept(schema.flattenOptions),
     unwrapOptions: kept(schema.unwrapOptions),
+    packOptions: kept(schema.packOptions),
+    bakeOptions: schema.bakeOptions.filter((option) => isOptionOf(option, 'package')),
   };
 }
 
@@ -110,6 +132,9 @@ export function checkUnique(entries, list) {
 function checkOption(option) {
   const jsType = OPTION_TYPES[option.type];
   if (!jsType) throw new Error(`option ${option.name}: unknown type "${option.type}"`);
+  for (const product of option.in ?? [])
+    if (!OPTION_PRODUCTS.includes(product))
+      throw new Error(`option ${option.name}: unknown product "${product}"`);
   if (option.type === 'choice') return checkChoice(option);
   if ('unit' in option && !(option.unit in UNITS && jsType === 'number'))
     throw new Error(`option ${option.name}: unknown unit "${option.unit}"`);
@@ -166,6 +191,11 @@ export function sentence(text) {
 export function pascalCase(name) {
   return name[0].toUpperCase() + name.slice(1);
 }
+
+export const constantCase = (name) =>
+  kebabCase(name[0].toLowerCase() + name.slice(1))
+    .replaceAll('-', '_')
+    .toUpperCase();
 
 export function kebabCase(name) {
   return name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);

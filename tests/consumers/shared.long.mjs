@@ -12,7 +12,7 @@ import { consumers, EXAMPLE, mustRun } from './support/consumers.mjs';
 
 const HEADERS = join(ROOT, 'core/include/abflat');
 /** Headers of parts that have libraries of their own for every platform but this one. */
-const OF_PARTS = ['draw.h', 'gltf.h', 'appearance.h'];
+const OF_PARTS = ['draw.h', 'gltf.h', 'gltf_look.h', 'appearance.h'];
 const SHARED = ['-DBUILD_SHARED_LIBS=ON', '-DABFLAT_PROGRAM=OFF', '-DCMAKE_BUILD_TYPE=Release'];
 const PARTS = ['-DABFLAT_DRAWING=ON', '-DABFLAT_GLTF=ON'];
 

@@ -11,4 +11,9 @@ void expect(bool holds, const std::string& property) {
   std::abort();
 }
 
+void expectReason(const Status& status, const std::set<StatusCode>& reasons) {
+  expect(!status.message.empty(), "a refusal has a reason");
+  expect(reasons.count(status.code) == 1, "not a reason to refuse: " + status.message);
+}
+
 }  // namespace abflat::fuzz

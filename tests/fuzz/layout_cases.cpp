@@ -39,6 +39,34 @@ void addShading(PolygonMesh& mesh, RandomSource& random) {
     mesh.faceNormals.push_back(random.isOneOf(8) ? kNoNormal : random.below(4));
 }
 
+/// Texcoords of all kinds, in place of those that the mesh may have: of a projection, mirrored, of
+/// parts that lie on each other or far away, of squares, in a line or in a point; missing at some
+/// faces.
+void addLayout(PolygonMesh& mesh, RandomSource& random) {
+  mesh.texcoords.clear();
+  mesh.faceTexcoords.clear();
+  const double size = random.pick({1.0, 1.0, 1.0, 1e-9, 1e12});
+  const bool isProjected = random.flag();
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const bool isMissing = random.isOneOf(16);
+    const double shift = random.isOneOf(4) ? 4 * random.signedUnit() : 0;
+    const double across = random.pick({1.0, 1.0, 1.0, -1.0, 0.0});
+    const std::uint32_t begin = mesh.faceOffsets[f];
+    for (std::uint32_t c = begin; c < mesh.faceOffsets[f + 1]; ++c) {
+      if (isMissing) {
+        mesh.faceTexcoords.push_back(kNoTexcoord);
+        continue;
+      }
+      const double* p = &mesh.positions[3 * std::size_t{mesh.faceVertices[c]}];
+      constexpr double kCorners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+      const double* corner = kCorners[(c - begin) % 4];
+      const double u = isProjected ? p[0] / 16 : corner[0], v = isProjected ? p[1] / 16 : corner[1];
+      mesh.faceTexcoords.push_back(static_cast<std::uint32_t>(mesh.texcoords.size() / 2));
+      mesh.texcoords.insert(mesh.texcoords.end(), {size * (across * u + shift), size * v});
+    }
+  }
+}
+
 template <class Options>
 void showOptions(std::ostringstream& out, const Options& options) {
   forEachOption(options, [&](const char* name, const auto& value) {
@@ -80,6 +108,16 @@ FlattenCase flattenCase(const std::uint8_t* bytes, std::size_t size) {
   return out;
 }
 
+PackCase packCase(const std::uint8_t* bytes, std::size_t size) {
+  RandomSource random(bytes, size);
+  PackCase out;
+  out.options.precision = random.pick({Precision::Double, Precision::Single, Precision::Gltf});
+  if (!random.flag()) randomOptions(out.options, random);
+  out.mesh = randomMesh(random);
+  addLayout(out.mesh, random);
+  return out;
+}
+
 std::string shown(const UnwrapCase& c) {
   std::ostringstream out;
   showOptions(out, static_cast<const UnwrapOptionValues&>(c.options));
@@ -104,6 +142,13 @@ std::string shown(const FlattenCase& c) {
     out << "# pin " << p.vertex << " " << p.uv[0] << " " << p.uv[1] << "\n";
   out << "# precision " << static_cast<int>(c.precision) << "\n";
   return out.str() + writeObj(c.mesh, {}, {});
+}
+
+std::string shown(const PackCase& c) {
+  std::ostringstream out;
+  showOptions(out, static_cast<const PackOptionValues&>(c.options));
+  out << "# precision " << static_cast<int>(c.options.precision) << "\n";
+  return out.str() + writeObj(c.mesh, c.mesh.texcoords, c.mesh.faceTexcoords);
 }
 
 }  // namespace abflat::fuzz

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
 
 namespace abflat::fuzz {
@@ -22,8 +23,15 @@ struct FlattenCase {
 };
 FlattenCase flattenCase(const std::uint8_t* bytes, std::size_t size);
 
+struct PackCase {
+  PolygonMesh mesh;
+  PackLayoutOptions options;
+};
+PackCase packCase(const std::uint8_t* bytes, std::size_t size);
+
 /// A case for people: the mesh as an OBJ, options and seams as comments.
 std::string shown(const UnwrapCase& c);
 std::string shown(const FlattenCase& c);
+std::string shown(const PackCase& c);
 
 }  // namespace abflat::fuzz

@@ -51,6 +51,15 @@ void expectSame(const PolygonMesh& before, const CornerTexcoords& texcoords,
   }
 }
 
+void expectFile(const PolygonMesh& mesh, const CornerTexcoords& texcoords, MeshFormat format) {
+  const auto& [uv, cornerUv] = texcoords;
+  const std::string bytes =
+      format == MeshFormat::Obj ? writeObj(mesh, uv, cornerUv) : writePly(mesh, uv, cornerUv);
+  const Result<PolygonMesh> again = readMesh(bytes, format, "written");
+  expect(again.ok(), "what is written can be read: " + again.status().message);
+  expectSame(mesh, texcoords, again.value());
+}
+
 void expectRoundTrip(const PolygonMesh& mesh, MeshFormat format, std::string_view source) {
   const CornerTexcoords texcoords = numberedCorners(mesh);
   const auto& [uv, cornerUv] = texcoords;
@@ -65,9 +74,15 @@ void expectRoundTrip(const PolygonMesh& mesh, MeshFormat format, std::string_vie
 
 void expectRoundTrip(const GltfModel& model) {
   const CornerTexcoords texcoords = numberedCorners(model.mesh);
-  for (const bool isBinary : {true, false}) {
+  GltfBaked baked;
+  baked.images = {{"colours", "image/png", "bytes"}, {"bumps", "image/webp", "more bytes"}};
+  baked.baseColor = baked.occlusion = 0;
+  baked.normal = 1;
+  for (const auto& [isBinary, look] :
+       {std::pair<bool, const GltfBaked*>{true, nullptr}, {false, nullptr}, {true, &baked}}) {
     GltfWriteOptions options;
     options.isBinary = isBinary;
+    options.baked = look;
     const Result<std::string> bytes =
         writeGltf(*model.source, texcoords.uv, texcoords.cornerUv, options);
     expect(bytes.ok(), "what was read can be written: " + bytes.status().message);

@@ -21,6 +21,9 @@ CornerTexcoords numberedCorners(const PolygonMesh& mesh);
 void expectSame(const PolygonMesh& before, const CornerTexcoords& texcoords,
                 const PolygonMesh& after);
 
+/// A mesh that is written as an OBJ or a PLY and read again is the same, with these texcoords.
+void expectFile(const PolygonMesh& mesh, const CornerTexcoords& texcoords, MeshFormat format);
+
 /// The file that a mesh was read from, with other texcoords, is that mesh with these texcoords.
 void expectRoundTrip(const PolygonMesh& mesh, MeshFormat format, std::string_view source);
 void expectRoundTrip(const GltfModel& model);

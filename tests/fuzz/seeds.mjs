@@ -166,6 +166,7 @@ const TARGETS = {
   materials: [MATERIALS],
   unwrap: randomBytes(200),
   flatten: randomBytes(200),
+  pack: randomBytes(200),
 };
 
 function randomBytes(count) {

@@ -20,19 +20,22 @@ bool readMaterials(const std::uint8_t* bytes, std::size_t size);
 /// A random mesh with random options to an atlas, and on to files.
 bool unwrapMesh(const std::uint8_t* bytes, std::size_t size);
 bool flattenMesh(const std::uint8_t* bytes, std::size_t size);
+/// A random mesh with a random layout, packed again.
+bool packMesh(const std::uint8_t* bytes, std::size_t size);
 
 struct NamedTarget {
   const char* name;
   Target run;
 };
 
-constexpr std::array<NamedTarget, 8> kTargets = {{{"obj", readObj},
+constexpr std::array<NamedTarget, 9> kTargets = {{{"obj", readObj},
                                                   {"ply", readPly},
                                                   {"stl", readStl},
                                                   {"off", readOff},
                                                   {"gltf", readGltf},
                                                   {"materials", readMaterials},
                                                   {"unwrap", unwrapMesh},
-                                                  {"flatten", flattenMesh}}};
+                                                  {"flatten", flattenMesh},
+                                                  {"pack", packMesh}}};
 
 }  // namespace abflat::fuzz

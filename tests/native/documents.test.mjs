@@ -12,7 +12,7 @@ import { isInstrumented, PROGRAM, runAbflat } from '../support/run-abflat.mjs';
 import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const SHOWN_IN = ['README.md', 'docs/command-line.md', 'docs/packing.md'];
+const SHOWN_IN = ['README.md', 'docs/baking.md', 'docs/command-line.md', 'docs/packing.md'];
 
 /** CONTRIBUTING.md names options of other programs, too. */
 const OF_THE_PROGRAM = DOCUMENTS.filter((file) => file !== 'CONTRIBUTING.md');
@@ -84,7 +84,8 @@ test('the commands that the documents show run as typed', (t) => {
   writeFileSync(at('pins.txt'), '0 0 0\n50 1 0\n');
   const made = [
     'sample head -o head.obj',
-    ...['ply', 'glb'].map((x) => `unwrap robot.obj -o robot.${x}`),
+    'unwrap robot.obj -o robot.ply',
+    'unwrap robot.obj -o robot.glb --texcoord 1',
   ];
   for (const line of made) assert.equal(typed(`build/native/abflat ${line}`, at()).status, 0);
   writeFileSync(at('head.off'), offOf(readFileSync(at('head.obj'), 'utf8')));

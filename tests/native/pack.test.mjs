@@ -8,7 +8,7 @@ import { ROOT } from '../../scripts/lib/paths.mjs';
 import { elementsOf, GlbMaker, parseGltf } from '../support/glb.mjs';
 import { errorsIn } from '../support/gltf-errors.mjs';
 import { islandsOf } from '../support/islands.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
+import { hasTerminals, runAbflat, runOnTerminal } from '../support/run-abflat.mjs';
 import { CUBE, CUBE_OF_PARTS } from '../support/small-meshes.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
@@ -124,6 +124,40 @@ for (const name of artistMeshes)
     for (const pair of overlapsIn(after, islands)) assert.ok(overlapping.has(pair), pair);
   });
 
+test('what stays where it is comes back as it was, and its faces are counted', async (t) => {
+  const at = tempFolder(t);
+  const text = [
+    ...['v 0 0 0', 'v 1 0 0', 'v 0 1 0', 'v 3 0 0', 'v 4 0 0', 'v 3 1 0'],
+    ...['vt 0 0', 'vt 0.5 0', 'vt 0 0.5', 'vt -0.25 0.25', 'vt 0.25 0.25', 'vt 0.125 -0.25'],
+    ...['f 1/1 2/2 3/3', 'f 4/4 5/5 6/6', ''],
+  ].join('\n');
+  writeFileSync(at('in.obj'), text);
+  const args = ['pack', 'in.obj', '-o', 'out.obj', '--keep-places', '--report', 'r.json'];
+  const { code, stderr } = await runAbflat(args, { cwd: at() });
+  assert.equal(code, 1, stderr);
+  assert.deepEqual(facesOf(readFileSync(at('out.obj'), 'utf8')), facesOf(text));
+  const { islands, faces, scale } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+  assert.deepEqual(
+    { islands, faces, scale },
+    { islands: 2, faces: { overlapping: 2, flipped: 1, empty: 0, outside: 1 }, scale: 1 },
+  );
+});
+
+const terminalless = hasTerminals() ? false : 'there is no util-linux "script" to make a terminal';
+
+test('the program says what it has found in a layout that is to stay', {
+  skip: terminalless,
+}, (t) => {
+  const at = tempFolder(t);
+  writeFileSync(at('in.obj'), 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n');
+  const run = (...options) =>
+    runOnTerminal(['pack', at('in.obj'), '-o', at('out.obj'), ...options]).seen;
+  const found = run('--keep-places');
+  assert.match(found, /faces: 0 overlapping, 0 flipped, 0 without area, 0 outside/);
+  assert.doesNotMatch(found, /times what they were/);
+  assert.match(run(), /times what they were/);
+});
+
 test('without artists, a cube of two islands: turned only as asked, at least as large', async (t) => {
   const islands = islandsOf(CUBE_OF_PARTS);
   for (const [rotate, isRight] of [
@@ -135,6 +169,20 @@ test('without artists, a cube of two islands: turned only as asked, at least as 
     const turns = checkShapes(islands, facesOf(CUBE_OF_PARTS), facesOf(text));
     for (const turn of turns.values()) assert.ok(isRight(turn), `${rotate}: ${turn}`);
     assert.ok(report.scale > 1.5, rotate);
+  }
+});
+
+test('the margin is as asked, and by default half the padding', async (t) => {
+  for (const [margin, texels] of [
+    ['auto', 3],
+    ['0', 0],
+    ['40', 40],
+  ]) {
+    const options = ['--margin', margin, '--padding', '5', '--rotate', 'none'];
+    const { report, text } = await packed(t, CUBE_OF_PARTS, ...options);
+    assert.equal(report.margin, texels);
+    const least = Math.min(...facesOf(text).flat(2));
+    assert.ok(least * 1024 >= texels && least * 1024 < texels + 1.5, `${margin}: ${least}`);
   }
 });
 

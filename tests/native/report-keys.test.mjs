@@ -4,8 +4,10 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { drum, objWithGroups, objWithNormals } from '../support/drums.mjs';
+import { madePng } from '../support/made-png.mjs';
 import { ReportKeys } from '../support/report-keys.mjs';
 import {
+  EMPTY_IN_UV,
   foldingPins,
   MIRROR_IMAGES,
   NEEDLE,
@@ -18,6 +20,7 @@ import { runAbflat } from '../support/run-abflat.mjs';
 import { CUBE, CUBE_OF_PARTS, grid } from '../support/small-meshes.mjs';
 import { defects, knot, objText, sphere, torus, tube, windows } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
+import { oneTexture, texturedCube, texturedGlb } from '../support/textured.mjs';
 
 const keys = new ReportKeys('cli');
 
@@ -98,6 +101,33 @@ test('unwrap: holes, pins, parts that stay, cuts for packing', async (t) => {
 test('pack: stacks, islands that overlap or are mirrored, faces without texcoords', async (t) => {
   await run(t, 'PackReport', 'pack', overlappingIslands());
   await run(t, 'PackReport', 'pack', CUBE);
+  for (const mesh of [overlappingIslands(), EMPTY_IN_UV])
+    await run(t, 'PackReport', 'pack', mesh, ['--keep-places']);
+});
+
+test('unwrap, pack and bake: textures in a new layout', async (t) => {
+  const cube = texturedCube();
+  // The last side has no second set.
+  const parts = [
+    { ...cube, uv1: cube.uv, triangles: cube.triangles.slice(0, 10) },
+    { ...cube, triangles: cube.triangles.slice(10) },
+  ];
+  const { images, ...json } = oneTexture(madePng(16, 16, (x, y) => [16 * x, 16 * y, 128]));
+  const at = tempFolder(t);
+  writeFileSync(at('in.glb'), texturedGlb(parts, { images, ...json }));
+  for (const [struct, command, ...options] of [
+    ['UnwrapReport', 'unwrap', '--bake', '--image-format', 'jpeg'],
+    ['PackReport', 'pack', '--bake'],
+    ['BakeReport', 'bake', '--threads', '1'],
+  ]) {
+    const args = [command, 'in.glb', '-o', 'out.glb', '--report', 'r.json', ...options];
+    const { code, stderr } = await runAbflat(args, { cwd: at() });
+    assert.deepEqual([code, stderr], [0, '']);
+    keys.check(JSON.parse(readFileSync(at('r.json'), 'utf8')), struct);
+  }
+  writeFileSync(at('in.glb'), texturedGlb([cube], { images, ...json }));
+  await runAbflat(['bake', 'in.glb', '-o', 'out.glb', '--report', 'r.json'], { cwd: at() });
+  keys.check(JSON.parse(readFileSync(at('r.json'), 'utf8')), 'BakeReport');
 });
 
 test('inspect', async (t) => {
@@ -120,6 +150,12 @@ test('compare', async (t) => {
 });
 
 after(() => {
-  const unseen = keys.unseen('Report', 'UnwrapReport', 'PackReport', 'ComparisonReport');
+  const unseen = keys.unseen(
+    'Report',
+    'UnwrapReport',
+    'PackReport',
+    'BakeReport',
+    'ComparisonReport',
+  );
   assert.deepEqual(unseen, [], 'fields that no report has');
 });

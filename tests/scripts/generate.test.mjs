@@ -31,6 +31,7 @@ const OUTPUTS = [
   'wasm/bindings/generated/field.h',
   'wasm/src/base/generated-report.ts',
   'wasm/src/base/generated-arrays.ts',
+  'wasm/src/base/generated-bits.ts',
   'core/include/abflat/generated/mesh_format.h',
   'native/src/files/generated/file_format.h',
   'web/src/words/generated-formats.ts',
@@ -285,9 +286,23 @@ describe('in a copy', () => {
     assert.match(read(OUTPUTS[2]), /export type UnwrapStage = .*'polish';/);
     assert.doesNotMatch(read(OUTPUTS[2]), /export type FlattenStage = .*'polish';/);
     assert.match(read(OUTPUTS[5]), /struct UnwrapStages \{[^}]*double polish = 0;/);
-    assert.match(read(OUTPUTS[6]), /Normals = 9,.*kFirstFile = 10;/s);
-    assert.match(read(OUTPUTS[8]), /normals: \{ field: 9, Kind: Float64Array \},/);
-    assert.match(read(OUTPUTS[8]), /obj: \{ field: 10, Kind: Uint8Array \},/);
+    assert.match(read(OUTPUTS[6]), /Normals = 10,.*kFirstFile = 11;/s);
+    assert.match(read(OUTPUTS[8]), /normals: \{ field: 10, Kind: Float64Array \},/);
+    assert.match(read(OUTPUTS[8]), /obj: \{ field: 11, Kind: Uint8Array \},/);
+  });
+
+  test('values that are bits have one each, on both sides', () => {
+    fresh();
+    changeSchema(({ enums }) => {
+      const { values } = enums.find(({ bits }) => bits);
+      values.push({ name: 'tiny', text: 'it is smaller than a texel' });
+    }, REPORT_SCHEMA);
+    assert.equal(generate(copy).status, 0);
+    assert.match(read(OUTPUTS[3]), /Outside = 8,.*\n {2}Tiny = 16,/);
+    assert.match(
+      read('wasm/src/base/generated-bits.ts'),
+      /UV_FAULT = \{.* outside: 8, tiny: 16 \} as const;/,
+    );
   });
 
   test('a new array among the options of unwrap reaches both sides', () => {
@@ -336,7 +351,7 @@ describe('in a copy', () => {
       read(OUTPUTS[2]),
       /WRITTEN_FORMATS = \['obj', 'ply', 'three'\].*three\?: boolean;/s,
     );
-    assert.match(read(OUTPUTS[8]), /three: \{ field: 11, Kind: Uint8Array \}/);
+    assert.match(read(OUTPUTS[8]), /three: \{ field: 12, Kind: Uint8Array \}/);
     assert.match(page, /EXPORT_FORMATS = \['obj', 'ply', '3mf', 'glb'\]/);
     assert.match(page, /ending: '\.3mf', title: '3MF', type: 'model\/3mf', format: 'three'/);
     assert.deepEqual(JSON.parse(read(MANIFEST)).file_handlers[0].accept['model/3mf'], ['.3mf']);

@@ -9,7 +9,9 @@ import { ROOT } from '../../scripts/lib/paths.mjs';
 import { which } from '../../scripts/lib/run.mjs';
 import { billOfMaterials } from '../../scripts/lib/sbom.mjs';
 
-const SPDX = /^(MIT|Zlib|MPL-2\.0|BSD-3-Clause|Apache-2\.0( WITH LLVM-exception)?)$/;
+const LICENSE =
+  '(MIT|Zlib|MPL-2\\.0|BSD-3-Clause|libpng-2\\.0|IJG|Apache-2\\.0( WITH LLVM-exception)?)';
+const SPDX = new RegExp(`^${LICENSE}( AND ${LICENSE})*$`);
 
 for (const product of PRODUCTS)
   test(`${product}: every part has a version and a licence`, (t) => {

@@ -15,20 +15,32 @@ function chunk(type, data) {
 
 /** `pixels` has four bytes for each pixel, in rows from the upper left. */
 export function encodedPng(width, height, pixels) {
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(width, 0);
-  header.writeUInt32BE(height, 4);
-  header.set([8, 6, 0, 0, 0], 8);
   const stride = 4 * width;
   const rows = Buffer.alloc(height * (stride + 1));
   for (let y = 0; y < height; y++)
     rows.set(pixels.subarray(y * stride, (y + 1) * stride), y * (stride + 1) + 1);
+  return pngOf(width, height, [8, 6], rows);
+}
+
+/** `kind`: bits of a channel, and which channels there are. */
+function pngOf(width, height, kind, rows) {
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
+  header.set(kind, 8);
   return Buffer.concat([
     SIGNATURE,
     chunk('IHDR', header),
     chunk('IDAT', deflateSync(rows)),
     chunk('IEND', Buffer.alloc(0)),
   ]);
+}
+
+/** One bit for each pixel, all black but the first few. */
+export function greyPng(width, height, first = 0) {
+  const rows = Buffer.alloc(height * (Math.ceil(width / 8) + 1));
+  rows[1] = first;
+  return pngOf(width, height, [1, 0], rows);
 }
 
 /** `at(x, y)` has the three or four numbers of a pixel, counted from the upper left. */

@@ -1,4 +1,4 @@
-// Reads PNG files with 8 bits each for red, green, blue and alpha.
+// Reads PNG files with 8 bits for each of red, green, blue and alpha, or without alpha, or grey.
 
 import assert from 'node:assert/strict';
 import { crc32, inflateSync } from 'node:zlib';
@@ -25,26 +25,27 @@ function paeth(a, b, c) {
   return pb <= pc ? b : c;
 }
 
-/** { width, height, at(x, y) } with the four numbers of a pixel, counted from the upper left. */
+/** { width, height, channels, at(x, y) } with the numbers of a pixel, counted from the upper left. */
 export function parsePng(bytes) {
   const chunks = chunksOf(bytes);
   assert.equal(chunks.at(-1)[0], 'IEND');
   const header = chunks.find(([type]) => type === 'IHDR')[1];
   const [width, height] = [header.readUInt32BE(0), header.readUInt32BE(4)];
-  assert.deepEqual([...header.subarray(8)], [8, 6, 0, 0, 0]);
+  const channels = { 0: 1, 2: 3, 6: 4 }[header[9]];
+  assert.deepEqual([...header.subarray(8)], [8, header[9], 0, 0, 0]);
   const data = inflateSync(
     Buffer.concat(chunks.filter(([type]) => type === 'IDAT').map(([, part]) => part)),
   );
-  const stride = 4 * width;
+  const stride = channels * width;
   assert.equal(data.length, height * (stride + 1));
   const pixels = Buffer.alloc(height * stride);
   for (let y = 0; y < height; y++) {
     const filter = data[y * (stride + 1)];
     for (let i = 0; i < stride; i++) {
       const at = y * stride + i;
-      const a = i < 4 ? 0 : pixels[at - 4];
+      const a = i < channels ? 0 : pixels[at - channels];
       const b = y === 0 ? 0 : pixels[at - stride];
-      const c = i < 4 || y === 0 ? 0 : pixels[at - stride - 4];
+      const c = i < channels || y === 0 ? 0 : pixels[at - stride - channels];
       const predicted = [0, a, b, (a + b) >> 1, paeth(a, b, c)][filter];
       pixels[at] = data[y * (stride + 1) + 1 + i] + predicted;
     }
@@ -52,6 +53,7 @@ export function parsePng(bytes) {
   return {
     width,
     height,
-    at: (x, y) => [...pixels.subarray(y * stride + 4 * x, y * stride + 4 * x + 4)],
+    channels,
+    at: (x, y) => [...pixels.subarray(y * stride + channels * x, y * stride + channels * (x + 1))],
   };
 }

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { isIn, isNullable, typesOf } from '../../scripts/lib/report-schema.mjs';
+import { isOptionOf } from '../../scripts/lib/schema.mjs';
 import { SCHEMA } from './schema.mjs';
 
 const TYPES = typesOf(SCHEMA);
@@ -86,7 +87,7 @@ export class ReportKeys {
     else if (options)
       assert.deepEqual(
         Object.keys(value),
-        options.map(({ name }) => name),
+        options.filter((option) => isOptionOf(option, this.#product)).map(({ name }) => name),
         path,
       );
     else assert.ok(PLAIN[type](value), `${path} is ${JSON.stringify(value)}`);

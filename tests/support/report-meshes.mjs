@@ -51,6 +51,9 @@ export const foldingPins = (n) => {
   return [0, n, n * (n + 1), (n + 1) ** 2 - 1].map((vertex, i) => ({ vertex, uv: uv[i] }));
 };
 
+/** A triangle without area in uv. */
+export const EMPTY_IN_UV = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/2 3/2\n';
+
 /** Squares in space: two that lie on each other, one of them mirrored, one that overlaps them a little, and one without texcoords. */
 export function overlappingIslands() {
   const places = [[0, 1], [1, -1], [0.9, 1], undefined];

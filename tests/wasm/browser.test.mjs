@@ -218,3 +218,65 @@ test('memory that does not suffice in a page', NEEDS_CHROME, async () => {
   assert.equal(code, 'OutOfMemory');
   assert.equal(valid, true);
 });
+
+/** Bakes a square and returns the first pixel; `name`s of files are loaded when they are needed. */
+const BAKING = `
+  const bake = async (abflat) => {
+    const names = () =>
+      performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => /bake/.test(name));
+    const before = names();
+    const mesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], texcoords: [0, 0, 1, 0, 0, 1] };
+    const image = { data: new Uint8ClampedArray(64).fill(77), width: 4, height: 4 };
+    const { data, width } = await abflat.bake(mesh, await abflat.unwrap(mesh), { image });
+    const made = new ImageData(data, width);
+    document.body.textContent =
+      'valid: ' + JSON.stringify([before, names().some((name) => name.endsWith('.wasm')), made.width]);
+  };
+`;
+const BAKED = /valid: \[\[\],true,16\]/;
+
+test('what bakes is loaded with the first call, and runs in a worker', NEEDS_CHROME, async () => {
+  const code = `
+    import { createAbflat } from './node_modules/abflat/dist/index.js';
+    ${BAKING}
+    bake(await createAbflat());
+  `;
+  const html = `${EMPTY}<script type="module">${code}</script><body></body>`;
+  const root = site('bake', { 'index.html': html });
+  for (const headers of [{}, ISOLATED]) await assertShows(`${await serve(root, headers)}/`, BAKED);
+});
+
+test('a Vite build bakes', NEEDS_CHROME, async () => {
+  const require = createRequire(join(ROOT, 'web/package.json'));
+  const path = require.resolve('vite');
+  const vite = await import(pathToFileURL(path.replace(/index\.cjs$/, 'dist/node/index.js')));
+  const root = join(folder, 'vite-bake');
+  mkdirSync(root);
+  writeFileSync(
+    join(root, 'index.html'),
+    `${EMPTY}<script type="module" src="./main.js"></script>`,
+  );
+  writeFileSync(
+    join(root, 'main.js'),
+    `import { createAbflat } from 'abflat'; ${BAKING} createAbflat().then(bake);`,
+  );
+  await vite.build({ root, logLevel: 'warn', configFile: false });
+  await assertShows(`${await serve(join(root, 'dist'))}/`, BAKED);
+});
+
+test('bake runs in worker.js, and from baseUrl', NEEDS_CHROME, async () => {
+  const sides = await inPage('bake-places', async ({ entry }) => {
+    const { createAbflat } = await import(entry);
+    const dist = new URL('.', entry);
+    const mesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], texcoords: [0, 0, 1, 0, 0, 1] };
+    const sides = [];
+    for (const settings of [{ workerUrl: new URL('worker.js', dist) }, { baseUrl: dist }]) {
+      const abflat = await createAbflat(settings);
+      const { width } = await abflat.bake(mesh, { uv: mesh.texcoords }, { factor: [1, 0, 0, 1] });
+      sides.push(width);
+      abflat.terminate();
+    }
+    return sides;
+  });
+  assert.deepEqual(sides, [1024, 1024]);
+});

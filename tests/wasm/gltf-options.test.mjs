@@ -231,7 +231,7 @@ test('what goes wrong leaves the document as it was, and is said with its place'
 
   const invalid = { code: 'InvalidOption' };
   assert.throws(() => unwrap({ texcoord: 1 }), { ...invalid, message: /await createAbflat/ });
-  await assert.rejects(abflat.unwrap(document), /no positions.*unwrap of "abflat\/gltf"/);
+  await assert.rejects(abflat.unwrap(document), /no positions.*unwrap or pack of "abflat\/gltf"/);
   assert.throws(() => unwrap(abflat, { texcoord: 0.5 }), invalid);
   assert.throws(() => unwrap(abflat, { groupBy: 'node' }), invalid);
   assert.throws(() => unwrap(abflat, { overwrite: 1 }), invalid);

@@ -9,7 +9,8 @@ import { ROOT } from './support/paths.mjs';
 
 const read = (path) => readFileSync(join(ROOT, path), 'utf8');
 const API = read('wasm/bindings/api.cpp');
-const DECLARATIONS = read('wasm/src/abflat.d.ts');
+const CALLBACKS = read('wasm/bindings/callbacks.cpp');
+const BAKE_API = read('wasm/bindings/bake/api.cpp');
 
 /** A C++ type as JavaScript sees it: everything except void and bool is a number. */
 const jsType = (type) =>
@@ -21,43 +22,52 @@ const parameterOf = (text) => {
   return { name, type: jsType(type.trim()) };
 };
 
-function functionsOfApi() {
+function functionsOfApi(text) {
   const pattern = /EMSCRIPTEN_KEEPALIVE ([\w:*\s]+?)(\w+)\(([^)]*)\) \{/g;
-  return [...API.matchAll(pattern)].map(([, type, name, list]) => ({
+  return [...text.matchAll(pattern)].map(([, type, name, list]) => ({
     name: `_${name}`,
     type: jsType(type.trim()),
     parameters: list === '' ? [] : list.split(',').map(parameterOf),
   }));
 }
 
-function functionsOf(name) {
-  const [, body] = DECLARATIONS.match(new RegExp(`interface ${name} \\{(.*?)^\\}`, 'ms'));
-  return [...body.matchAll(/^ {2}(\w+)\(([^)]*)\): (\w+);$/gm)].map(([, method, list, type]) => ({
-    name: method,
-    type,
-    parameters: list === '' ? [] : list.split(', ').map((each) => each.split(': ')),
-  }));
+/** Of an interface in a file of TypeScript. */
+function functionsOf(path, name) {
+  const [, body] = read(path).match(new RegExp(`interface ${name} \\{(.*?)^\\}`, 'ms'));
+  return [...body.matchAll(/^ {2}(\w+)\(([^)]*)\): (\w+);$/gm)].map(([, method, list, type]) => {
+    const parameters = list.split(',').map((each) => each.trim());
+    return {
+      name: method,
+      type,
+      parameters: parameters.filter(Boolean).map((each) => each.split(': ')),
+    };
+  });
 }
 
-test('the functions of the module are declared as they are', () => {
-  const api = functionsOfApi();
-  const count = API.match(/^EMSCRIPTEN_KEEPALIVE /gm).length;
+function assertDeclared(text, path, name) {
+  const api = functionsOfApi(text);
+  const count = text.match(/^EMSCRIPTEN_KEEPALIVE /gm).length;
   assert.equal(api.length, count, 'every function was read');
   const types = ({ name, type, parameters }) => [
     name,
     type,
     ...parameters.map((each) => each.type),
   ];
-  const declared = functionsOf('NativeModule').map(({ name, type, parameters }) => [
+  const declared = functionsOf(path, name).map(({ name, type, parameters }) => [
     name,
     type,
     ...parameters.map(([, each]) => each),
   ]);
   assert.deepEqual(declared.sort(), api.map(types).sort());
+}
+
+test('the functions of the modules are declared as they are', () => {
+  assertDeclared(API, 'wasm/src/abflat.d.ts', 'NativeModule');
+  assertDeclared(BAKE_API, 'wasm/src/abflat-bake.d.ts', 'BakeModule');
 });
 
 test('what C++ calls takes the arguments that it is given', () => {
-  const [, list, call] = API.match(
+  const [, list, call] = CALLBACKS.match(
     /EM_JS\(void, \w+, \((.*?)\), \{\s*Module\["onProgress"\]\((.*?)\);/s,
   );
   const given = list.split(',').map(parameterOf);
@@ -65,7 +75,9 @@ test('what C++ calls takes the arguments that it is given', () => {
     call.split(', '),
     given.map(({ name }) => name),
   );
-  const settings = functionsOf('NativeSettings').find(({ name }) => name === 'onProgress');
+  const settings = functionsOf('wasm/src/glue.ts', 'NativeSettings').find(
+    ({ name }) => name === 'onProgress',
+  );
   assert.deepEqual(
     settings.parameters.map(([name, type]) => ({ name, type })),
     given,

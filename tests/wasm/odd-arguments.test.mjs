@@ -6,7 +6,10 @@ import { AbflatError, createAbflat } from 'abflat';
 import { unwrap as unwrapTransform } from 'abflat/gltf';
 import { unwrapGeometry } from 'abflat/three';
 import { BufferAttribute, BufferGeometry } from 'three';
-import { accessor, addMesh, emptyDocument } from '../support/gltf.mjs';
+import { accessor, addMesh, emptyDocument, io } from '../support/gltf.mjs';
+import { madePng } from '../support/made-png.mjs';
+import { oneTexture, texturedCube, texturedGlb } from '../support/textured.mjs';
+import { oneColour, SQUARE } from './support/bake.mjs';
 import { bytesOf, grid, objText } from './support/meshes.mjs';
 import { assertFails } from './support/unwrapping.mjs';
 
@@ -33,6 +36,9 @@ function documentOfGrid() {
   addMesh(document, 'grid', primitive);
   return document;
 }
+
+const TEXTURED = texturedGlb([texturedCube()], oneTexture(madePng(8, 8, () => [9, 9, 0])));
+const SQUARE_LAYOUT = { uv: SQUARE.texcoords };
 
 function cyclic() {
   const value = {};
@@ -141,6 +147,8 @@ async function fieldNames() {
       abflat[method](grid(2), { nothing: 1 }),
     ),
     abflat.sample('head', { nothing: 1 }),
+    abflat.bake(SQUARE, SQUARE_LAYOUT, {}, { nothing: 1 }),
+    abflat.bake(SQUARE, SQUARE_LAYOUT, { nothing: 1 }),
   ];
   const listed = await Promise.all(
     refusals.map((refusal) =>
@@ -149,8 +157,10 @@ async function fieldNames() {
   );
   const ofArrays = ['positions', 'indices', 'texcoords', 'normals', 'cornerNormals', 'materials'];
   const ofMeshes = [...ofArrays, 'bytes', 'name'];
-  const ofHelpers = ['attribute', 'texcoord', 'overwrite', 'groupBy', 'onAtlas'];
-  return new Set([...listed.flat(), ...ofMeshes, ...ofHelpers, 'vertex', 'uv', 'face', 'report']);
+  const ofHelpers = ['attribute', 'texcoord', 'overwrite', 'groupBy', 'onAtlas', 'bake'];
+  const ofBaking = ['tangents', 'parts', 'vertexMap', 'decode', 'encode'];
+  const others = [...ofMeshes, ...ofHelpers, ...ofBaking, 'vertex', 'uv', 'face', 'report'];
+  return new Set([...listed.flat(), ...others]);
 }
 
 /** What calls with few options return. */
@@ -173,7 +183,15 @@ async function usualResults() {
   const document = documentOfGrid();
   await document.transform(unwrapTransform(abflat));
   const [made] = document.getRoot().listMeshes()[0].listPrimitives();
+  const image = oneColour(1, 2, 3);
+  const painted = await abflat.bake(SQUARE, SQUARE_LAYOUT, { image });
+  const textured = await io.readBinary(TEXTURED);
+  const encode = ({ data }) => ({ bytes: new Uint8Array(data), mimeType: 'image/png' });
+  await textured.transform(unwrapTransform(abflat, { bake: { decode: () => image, encode } }));
+  const [texture] = textured.getRoot().listTextures();
   return [
+    [...painted.data],
+    [...texture.getImage()],
     ...layouts.map(({ uv, indices }) => [...uv, ...indices]),
     [...made.getAttribute('TEXCOORD_0').getArray()],
   ];
@@ -187,12 +205,14 @@ test('what every object inherits is no option and no array of a mesh', async () 
     for (const name of names) delete Object.prototype[name];
   });
   assert.deepEqual(await ended, expected);
-  for (const name of ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'workerUrl'])
+  for (const name of ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'bakeUrl', 'workerUrl'])
     Object.prototype[name] = 5;
   const started = createAbflat().finally(() => {
     for (const name of names) delete Object.prototype[name];
   });
-  (await started).terminate();
+  const own = await started;
+  assert.equal((await own.bake(SQUARE, SQUARE_LAYOUT, {}, { bakeResolution: 32 })).width, 32);
+  own.terminate();
 });
 
 test('a mesh may be an object of a class', async () => {

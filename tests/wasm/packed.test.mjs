@@ -41,7 +41,9 @@ test('npm pack contains the licences, the changes, an example and no sources', (
     'gltf/package.json',
     'three/package.json',
     'dist/index.d.ts',
-    ...['abflat', 'abflat-simd', 'abflat-threads'].map((name) => `dist/${name}.wasm`),
+    ...['abflat', 'abflat-simd', 'abflat-threads', 'abflat-bake'].map(
+      (name) => `dist/${name}.wasm`,
+    ),
   ]) {
     assert.ok(files.includes(name), name);
   }

@@ -6,9 +6,11 @@ import { createAbflat } from 'abflat';
 import { drum, objWithGroups, objWithNormals } from '../support/drums.mjs';
 import { ReportKeys } from '../support/report-keys.mjs';
 import {
+  EMPTY_IN_UV,
   foldingPins,
   MIRROR_IMAGES,
   NEEDLE,
+  overlappingIslands,
   rough,
   stellated,
   TOUCHING,
@@ -60,6 +62,14 @@ test('flatten', async () => {
   await flatten(file(rough(2)), { t: 1 });
   await flatten(file(NEEDLE));
   await flatten(file(gridText(4)), { pins: foldingPins(4) });
+});
+
+test('pack', async () => {
+  for (const mesh of [overlappingIslands(), EMPTY_IN_UV])
+    for (const keepPlaces of [false, true]) {
+      const { report } = await abflat.pack(file(mesh), { keepPlaces });
+      keys.check(report, 'PackReport');
+    }
 });
 
 test('unwrap', async () => {

@@ -241,7 +241,10 @@ test('unwrapGeometry refuses geometry without positions, and says what is wrong 
   await assert.rejects(unwrapGeometry(createAbflat(), box), /await createAbflat/);
   await assert.rejects(unwrapGeometry(abflat, box, { attribute: 1 }), { code: 'InvalidOption' });
   for (const mesh of [box, new THREE.Mesh(box)])
-    await assert.rejects(abflat.unwrap(mesh), /no positions.*unwrapGeometry of "abflat\/three"/);
+    await assert.rejects(
+      abflat.unwrap(mesh),
+      /no positions.*unwrapGeometry or packGeometry of "abflat\/three"/,
+    );
   await assert.rejects(unwrapGeometry(abflat, box, { maxStretch: 0 }), { code: 'InvalidOption' });
   box.attributes.position.array[4] = Number.NaN;
   await assert.rejects(unwrapGeometry(abflat, box), { code: 'InvalidMesh' });

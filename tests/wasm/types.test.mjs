@@ -17,6 +17,10 @@ export async function unwrapAll(meshes: { positions: number[]; indices: Uint8Arr
   try {
     await abflat.inspect(soup);
     await abflat.unwrap({ bytes: new Uint8Array(4), name: SAMPLE_NAMES[0] }, { padding: UNWRAP_DEFAULTS.padding });
+    const image = { data: new Uint8ClampedArray(4), width: 1, height: 1 };
+    const layout = await abflat.unwrap({ positions: [] });
+    const baked = await abflat.bake({ positions: [], texcoords: [] }, layout, [{ image, wrapU: 'clamp' }], { kind: 'normal', bakeResolution: 'auto' });
+    baked.data.fill(0);
     return await Promise.all(meshes.map((mesh) => abflat.unwrap(mesh, { onProgress: ({ stage }) => void stage })));
   } catch (error) {
     throw error instanceof AbflatError ? new Error(error.code) : error;
@@ -38,23 +42,29 @@ export async function timed(controller: AbortController): Promise<void> {
 const GLTF = `
 import type { Document, Primitive } from '@gltf-transform/core';
 import type { Abflat } from 'abflat';
-import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords, unwrap } from 'abflat/gltf';
+import { bakeLayout, type DecodeImage, documentMesh, freeTexcoord, pack, sampledTexcoords, setTexcoords, unwrap } from 'abflat/gltf';
 
 export async function all(abflat: Abflat, document: Document, primitive: Primitive): Promise<number[]> {
   await document.transform(unwrap(abflat, { texcoord: 'auto', onAtlas: ({ texcoord }) => texcoord }));
+  await document.transform(unwrap(abflat, { bake: true, onAtlas: ({ baked }) => baked?.map(({ texture, side }) => [texture.getName(), side]) }));
+  const decode: DecodeImage = async ({ bytes }) => ({ data: bytes, width: 1, height: bytes.length / 4 });
+  await document.transform(pack(abflat, { bake: { decode, encode: (image, map) => ({ bytes: new Uint8Array(image.data), mimeType: map === 'normal' ? 'image/png' : 'image/jpeg' }) } }));
+  await document.transform(pack(abflat, { readTexcoord: 1, onAtlas: ({ result }) => result.report.islands }));
   const mesh = documentMesh(document);
   setTexcoords(mesh, await abflat.flatten(mesh), { texcoord: freeTexcoord(document), normalize: true });
-  return sampledTexcoords([primitive]);
+  const { baked, notes } = await bakeLayout(abflat, mesh, await abflat.unwrap(mesh), { decode, padding: 4, onProgress: (fraction) => fraction.toFixed() });
+  return sampledTexcoords([primitive]).concat(baked.length, notes.length);
 }
 `;
 const THREE = `
 import type { Abflat } from 'abflat';
-import { toBufferGeometry, unwrapGeometry } from 'abflat/three';
+import { packGeometry, toBufferGeometry, unwrapGeometry } from 'abflat/three';
 import { BoxGeometry, type BufferGeometry } from 'three';
 
 export async function both(abflat: Abflat): Promise<BufferGeometry[]> {
   const { geometry, result } = await unwrapGeometry(abflat, new BoxGeometry(), { attribute: 'uv1' });
-  return [geometry, toBufferGeometry(result, { positions: [] })];
+  const packed = await packGeometry(abflat, geometry, { readAttribute: 'uv1', islandSizes: 'even' });
+  return [packed.geometry, toBufferGeometry(result, { positions: [] })];
 }
 `;
 

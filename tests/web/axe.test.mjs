@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import axe from 'axe-core';
+import { paintedCube } from '../support/painted-cube.mjs';
 import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
 import { drop, dropAndWait, openPage, openSample, settled } from './page.mjs';
 
@@ -72,7 +73,9 @@ test('axe finds nothing in a message and in a layout that is not valid', async (
 
 test('axe finds nothing in the menu of formats and in the sheet of keys', async (t) => {
   const page = await openWithAxe(t);
+  await dropAndWait(page, 'cube.glb', paintedCube());
   await page.click('#export-formats');
+  await page.getByRole('menuitemcheckbox', { name: 'Bake textures' }).click();
   await assertNothingFound(page, 'menu');
   await page.keyboard.press('Escape');
   await page.click('#help');

@@ -31,7 +31,12 @@ test('why nothing can be opened is a sentence with the name of the file', async 
   assert.match(noMesh(files('cat.png', 'dog.png')), /^None of these 2 files is a mesh\. .*\.$/);
 });
 
-const chart = (symmetricDirichlet, more = {}) => ({ symmetricDirichlet, valid: true, ...more });
+const chart = (symmetricDirichlet, more = {}) => ({
+  symmetricDirichlet,
+  leeway: 1,
+  valid: true,
+  ...more,
+});
 const atlas = (maxStretch, seams, charts, valid = true) => ({
   mode: 'unwrap',
   settings: { maxStretch, seams },
@@ -52,6 +57,9 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
     verdictOf(atlas(1.04, 'material', [chart(1.0402)])).reason,
     'Stretch 1.0402; limit 1.04',
   );
+  // The front of a figure may stretch further.
+  assert.equal(badge(atlas(1.02, 'auto', [chart(1.15, { leeway: 8 })])), 'Valid');
+  assert.equal(badge(atlas(1.02, 'auto', [chart(1.17, { leeway: 8 })])), 'Stretched');
   // Automatic seams have already done what they can.
   assert.equal(verdictOf(atlas(1.04, 'auto,uv', [chart(2)])).remedy, null);
   // But not where charts were only packed again, or moved.

@@ -21,6 +21,7 @@ test('the sheet opens by its button and by ?, and closes', async (t) => {
       assert.ok(!(await isOpen(page)));
     }
   await page.click('#help');
+  await page.waitForSelector('#help-sheet h3');
   const titles = await page.locator('#help-sheet h3').allTextContents();
   assert.deepEqual(
     titles,
@@ -36,6 +37,7 @@ for (const size of [
   test(`the sheet can be read in full, ${size.width} wide`, async (t) => {
     const page = await openPage(t, { viewport: size });
     await page.click('#help');
+    await page.waitForSelector('#help-sheet h3');
     const box = await page.locator('#help-sheet').boundingBox();
     assert.ok(box.x >= 0 && box.x + box.width <= size.width);
     assert.ok(box.y >= 0 && box.y + box.height <= size.height);

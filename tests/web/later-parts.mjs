@@ -6,6 +6,7 @@ export const LATER = [
   'arranging',
   'export-mesh',
   'gltf-file',
+  'help-groups',
   'make-surface',
   'method-table',
   'new-glb',

@@ -21,6 +21,7 @@ import { newContext, startBrowser } from '../../web/scripts/browser.mjs';
 import { listBuild, writeWorker } from '../../web/scripts/offline.mjs';
 import { withDraco, withMeshopt } from '../support/compressed-by-exporters.mjs';
 import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
+import { paintedCube } from '../support/painted-cube.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { sphere } from '../support/surfaces.mjs';
 import { dropAndWait, exportMesh, settled, textOf } from './page.mjs';
@@ -187,6 +188,14 @@ test('after one visit the page works without a server, in a folder of a site and
   const modules = (await loadedAssets(page)).filter((name) => /^abflat.*wasm$/.test(name));
   assert.match(modules.join(), /^abflat-threads-[^,]*$/);
   await openAll(page);
+  await dropAndWait(page, 'cube.glb', paintedCube());
+  await page.click('#export-formats');
+  await page.getByRole('menuitemcheckbox', { name: 'Bake textures' }).click();
+  await page.keyboard.press('Escape');
+  const { path } = await exportMesh(page);
+  assert.equal(await textOf(page, '#alert'), '');
+  const [baked] = (await io.readBinary(readFileSync(path))).getRoot().listTextures();
+  assert.equal(baked.getName(), 'baseColor');
 
   await page.goto(`${server.url}index.html?from=elsewhere#top`);
   await settled(page);

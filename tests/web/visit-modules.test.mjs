@@ -26,12 +26,21 @@ function randomSettings(next) {
   const t = () => pick(['auto', 1, 1.25, 0.9 + next()]);
   const balance = () => Number((Math.floor(next() * 21) * 0.05).toFixed(2));
   const isOn = () => next() < 0.5;
+  const resolution = pick(RESOLUTIONS);
   if (next() < 0.3) return { mode: 'flatten', t: t(), balance: balance(), delaunay: isOn() };
+  if (next() < 0.1) return { mode: 'pack', keepPlaces: true, resolution };
+  if (next() < 0.3)
+    return {
+      ...{ mode: 'pack', keepPlaces: false, resolution, padding: Math.floor(next() * 257) },
+      margin: pick(['auto', 0, 256]),
+      rotate: pick(['auto', 'free', 'quarter', 'none']),
+      islandSizes: pick(['keep', 'even']),
+    };
   return {
     mode: 'unwrap',
     maxStretch: pick(STRETCHES),
     balance: balance(),
-    resolution: pick(RESOLUTIONS),
+    resolution,
     padding: Math.floor(next() * 257),
     fillHoles: pick(['auto', 'never', 'always']),
     symmetricSeams: pick(['auto', 'never', 'always']),
@@ -99,6 +108,15 @@ test('a mesh without UVs, materials or normals is not cut along them', () => {
   assert.equal(cut('hard,sharp=60', { smoothingGroups: 1 }).seams, 'hard,sharp=60');
   assert.equal(cut('auto', {}, { fixedFaces: 'uv' }).fixedFaces, undefined);
   assert.equal(cut('auto', { texcoords: 3 }, { fixedFaces: 'uv' }).fixedFaces, 'uv');
+});
+
+test('a mesh without UVs is unwrapped where a link asks for those of the file', () => {
+  const asked = settingsOf('pack&keep-places').settings;
+  assert.equal(asked.mode, 'pack');
+  const NOTHING = { texcoords: 0, materials: 1, normals: 0, smoothingGroups: 0 };
+  assert.deepEqual(fitting(asked, NOTHING), usualSettings('unwrap'));
+  assert.equal(fitting(asked, { ...NOTHING, texcoords: 3 }), asked);
+  assert.equal(fitting(asked, NOTHING, true), asked, 'joined vertices have lost them');
 });
 
 test('a record that is none is refused', () => {

@@ -1,16 +1,14 @@
 // The functions that JavaScript calls. Sizes are in elements unless said otherwise; pointers are
 // valid until the job is freed or the next call that takes it.
 
-#include <emscripten/em_asm.h>
-#include <emscripten/em_js.h>
 #include <emscripten/emscripten.h>
 
 #include <array>
-#include <cstdlib>
 #include <new>
 #include <vector>
 
 #include "abflat/samples.h"
+#include "callbacks.h"
 #include "generated/unwrap_array.h"
 #include "job.h"
 
@@ -19,28 +17,10 @@ using abflat::StatusCode;
 using abflat::bindings::Field;
 using abflat::bindings::Job;
 using abflat::bindings::kFirstFile;
+using abflat::bindings::tellProgress;
 using abflat::bindings::UnwrapArray;
 
-// clang-format off
-EM_JS(void, abflatReportProgress, (const char* stage, int newtonStep, double residual, double fraction), {
-  Module["onProgress"](stage, newtonStep, residual, fraction);
-});
-
-// clang-format on
-
 namespace {
-
-/// The JavaScript callback throws, in the thread that JavaScript called; nothing of the module may
-/// run afterwards. That thread listens whenever it waits for others.
-void outOfMemory() {
-  MAIN_THREAD_EM_ASM({ Module["onOutOfMemory"](); });
-  std::abort();
-}
-
-bool reportProgress(const abflat::Progress& p) {
-  abflatReportProgress(nameOf(p), p.newtonStep, p.constraintResidual, p.fraction);
-  return true;
-}
 
 /// Stores the message where JavaScript looks for it.
 int finish(Job& job, const abflat::Status& status) {
@@ -72,7 +52,7 @@ extern "C" {
 
 EMSCRIPTEN_KEEPALIVE Job* abflatNewJob() {
   // Without exceptions a failed allocation would just abort the module.
-  std::set_new_handler(outOfMemory);
+  std::set_new_handler(abflat::bindings::outOfMemory);
   return new Job;
 }
 
@@ -136,6 +116,11 @@ EMSCRIPTEN_KEEPALIVE int abflatSetUnwrapOption(Job* job, int index, double value
   return setNumber(*job, job->unwrapOptions, index, value);
 }
 
+/// The same for packing a layout, in the order of PACK_OPTIONS.
+EMSCRIPTEN_KEEPALIVE int abflatSetPackOption(Job* job, int index, double value) {
+  return setNumber(*job, job->packOptions, index, value);
+}
+
 /// Buffer for the seam sources, as text for parseSeams, `size` bytes.
 EMSCRIPTEN_KEEPALIVE char* abflatSeams(Job* job, std::size_t size) {
   job->seams.resize(size);
@@ -197,17 +182,23 @@ EMSCRIPTEN_KEEPALIVE void abflatAddPin(Job* job, std::uint32_t vertex, double u,
 /// what a glTF can hold.
 EMSCRIPTEN_KEEPALIVE int abflatFlatten(Job* job, unsigned files, bool roundsForGltf) {
   job->unwrapOptions.precision = roundsForGltf ? Precision::Gltf : Precision::Double;
-  return finish(*job, flattenJob(*job, files >> kFirstFile, reportProgress));
+  return finish(*job, flattenJob(*job, files >> kFirstFile, tellProgress));
 }
 
 /// The same for unwrapping.
 EMSCRIPTEN_KEEPALIVE int abflatUnwrap(Job* job, unsigned files, bool roundsForGltf) {
   job->unwrapOptions.precision = roundsForGltf ? Precision::Gltf : Precision::Double;
-  return finish(*job, unwrapJob(*job, files >> kFirstFile, reportProgress));
+  return finish(*job, unwrapJob(*job, files >> kFirstFile, tellProgress));
+}
+
+/// The same for packing the layout that the mesh has.
+EMSCRIPTEN_KEEPALIVE int abflatPack(Job* job, unsigned files, bool roundsForGltf) {
+  job->packOptions.precision = roundsForGltf ? Precision::Gltf : Precision::Double;
+  return finish(*job, packJob(*job, files >> kFirstFile, tellProgress));
 }
 
 EMSCRIPTEN_KEEPALIVE int abflatCompare(Job* job) {
-  return finish(*job, compareJob(*job, reportProgress));
+  return finish(*job, compareJob(*job, tellProgress));
 }
 
 /// How the layout in the mesh's texcoords follows the first pin.

@@ -7,6 +7,7 @@
 
 #include "abflat/inspect.h"
 #include "abflat/io.h"
+#include "abflat/pack_layout.h"
 #include "abflat/peak_memory.h"
 #include "abflat/pin_weights.h"
 #include "abflat/samples.h"
@@ -62,6 +63,8 @@ Bytes resultOf(const Job& job, Field field) {
       return bytesOf(job.layout.unpacked);
     case Field::Faces:
       return bytesOf(job.layout.faces);
+    case Field::Faults:
+      return bytesOf(job.layout.faults);
   }
   return bytesOf(job.files[static_cast<int>(field) - kFirstFile]);
 }
@@ -117,6 +120,7 @@ Status readInput(Job& job) {
 namespace {
 
 std::vector<std::uint32_t> turnedFaces(const FlattenResult&) { return {}; }
+std::vector<std::uint32_t> turnedFaces(const PackLayoutResult&) { return {}; }
 const std::vector<std::uint32_t>& turnedFaces(const UnwrapResult& result) {
   return result.report.repair.turnedFaces;
 }
@@ -131,6 +135,12 @@ constexpr WantedFiles filesOfSinglePrecision() {
   return out;
 }
 constexpr WantedFiles kSingle = filesOfSinglePrecision();
+
+/// To what texcoords in an atlas are rounded, unless a glTF is to hold them.
+void choosePrecision(Precision& precision, WantedFiles wanted) {
+  if (precision != Precision::Gltf)
+    precision = wanted == 0 || (wanted & kSingle) ? Precision::Single : Precision::Double;
+}
 
 /// A file is written using the text of its source around the new texcoords.
 void writeFiles(Job& job, WantedFiles wanted, const std::vector<double>& uv,
@@ -220,9 +230,7 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
   seams.value().edges = std::move(job.unwrapOptions.seams.edges);
   job.unwrapOptions.seams = std::move(seams.value());
   job.unwrapOptions.progress = progress;
-  if (job.unwrapOptions.precision != Precision::Gltf)
-    job.unwrapOptions.precision =
-        wanted == 0 || (wanted & kSingle) ? Precision::Single : Precision::Double;
+  choosePrecision(job.unwrapOptions.precision, wanted);
   const auto compute = [&] { return unwrapMesh(job); };
   const auto arrays = [&](UnwrapResult& atlas) {
     job.layout.uv = gather(atlas.uv, 2, atlas.vertexUv);
@@ -237,6 +245,21 @@ Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress)
     return unwrapReportJson(report);
   };
   return layoutJob(job, wanted, progress, compute, arrays, json);
+}
+
+Status packJob(Job& job, WantedFiles wanted, const ProgressCallback& progress) {
+  job.packOptions.progress = progress;
+  choosePrecision(job.packOptions.precision, wanted);
+  const auto compute = [&] { return packLayout(job.mesh, job.packOptions); };
+  const auto arrays = [&](PackLayoutResult& packed) {
+    PackedVertices vertices = packedVertices(job.mesh, packed);
+    job.layout.uv = std::move(vertices.uv);
+    job.layout.triangles = std::move(vertices.triangles);
+    job.layout.vertexMap = std::move(vertices.vertexMap);
+    job.layout.chartOfTriangle = std::move(vertices.islandOfTriangle);
+    job.layout.faults = std::move(packed.faults);
+  };
+  return layoutJob(job, wanted, progress, compute, arrays, packReportJson);
 }
 
 Status compareJob(Job& job, const ProgressCallback& progress) {

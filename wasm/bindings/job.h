@@ -9,13 +9,14 @@
 #include "abflat/flatten.h"
 #include "abflat/io.h"
 #include "abflat/mesh.h"
+#include "abflat/pack_layout.h"
 #include "abflat/status.h"
 #include "abflat/unwrap.h"
 #include "generated/field.h"
 
 namespace abflat::bindings {
 
-/// A layout of either kind, in the form JavaScript gets. Arrays that a kind does not have are
+/// A layout of any kind, in the form JavaScript gets. Arrays that a kind does not have are
 /// empty.
 struct LayoutArrays {
   std::vector<double> uv;                ///< 2 per output vertex
@@ -26,6 +27,7 @@ struct LayoutArrays {
   std::vector<EdgeVertices> seams;
   std::vector<double> unpacked;      ///< 2 per output vertex
   std::vector<std::uint32_t> faces;  ///< input face per triangle, of a loaded file
+  std::vector<std::uint8_t> faults;  ///< per triangle, of a layout that was packed
 };
 
 /// One call from JavaScript: the input that it wrote, then the results that it reads.
@@ -38,6 +40,7 @@ struct Job {
   bool hasCornerNormals = false;  ///< normals of the arrays are those of corners, not of vertices
   FlattenOptions options;
   UnwrapOptions unwrapOptions;
+  PackLayoutOptions packOptions;
   std::string seams = "auto";  ///< as for parseSeams; edges are in unwrapOptions
   bool keepsUv = false;     ///< all faces with texcoords are fixed, besides those in unwrapOptions
   bool normalizes = false;  ///< a flattened mesh is moved and scaled into the unit square
@@ -76,6 +79,10 @@ Status flattenJob(Job& job, WantedFiles wanted, const ProgressCallback& progress
 /// graphics cards and PLY hold, unless only files of double precision are wanted, which are then
 /// written exactly as the program writes them.
 Status unwrapJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
+
+/// The same for packing the layout that the mesh has, rounded in the same way. What is known of the
+/// charts is that of the islands.
+Status packJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
 
 /// Fills everything that resultOf() returns except uv, and job.methods. `progress` as in
 /// CompareOptions, plus the stage Read.

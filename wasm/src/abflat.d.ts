@@ -1,5 +1,7 @@
 // The module that Emscripten writes; see wasm/bindings/api.cpp for the functions.
 
+import type { NativeSettings } from './glue.js';
+
 /** Pointers and sizes are unsigned in C++ and signed here: add `>>> 0`. */
 export interface NativeModule {
   _abflatNewJob(): number;
@@ -13,6 +15,7 @@ export interface NativeModule {
   _abflatMaterials(job: number, count: number): number;
   _abflatSetOption(job: number, index: number, value: number): number;
   _abflatSetUnwrapOption(job: number, index: number, value: number): number;
+  _abflatSetPackOption(job: number, index: number, value: number): number;
   _abflatSeams(job: number, bytes: number): number;
   _abflatArray(job: number, array: number, count: number): number;
   _abflatKeepUv(job: number): void;
@@ -26,6 +29,7 @@ export interface NativeModule {
   _abflatAddPin(job: number, vertex: number, u: number, v: number, face: number): void;
   _abflatFlatten(job: number, files: number, roundsForGltf: boolean): number;
   _abflatUnwrap(job: number, files: number, roundsForGltf: boolean): number;
+  _abflatPack(job: number, files: number, roundsForGltf: boolean): number;
   _abflatCompare(job: number): number;
   _abflatPinWeights(job: number): number;
   _abflatInspect(job: number): number;
@@ -40,20 +44,6 @@ export interface NativeModule {
   _abflatStatusName(code: number): number;
   _abflatSampleCount(): number;
   _abflatSampleName(index: number): number;
-}
-
-export interface NativeSettings {
-  wasmMemory: WebAssembly.Memory;
-  /** Only for a module with threads. */
-  mainScriptUrlOrBlob?: string;
-  instantiateWasm(
-    imports: WebAssembly.Imports,
-    receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
-  ): object;
-  print(text: string): void;
-  printErr(text: string): void;
-  onProgress(stage: number, newtonStep: number, residual: number, fraction: number): void;
-  onOutOfMemory(): never;
 }
 
 export default function createNative(settings: NativeSettings): Promise<NativeModule>;

@@ -1,7 +1,7 @@
 // The caller's side of the protocol: a queue in front of one worker, which is started when there is
 // something to do and replaced after it was stopped.
 
-import { buildOf } from './base/build-of.js';
+import type { ModuleName } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
 import { ownFields } from './messages/fields.js';
 import type { Answer, AnyProgress, FromWorker, Request } from './messages/protocol.js';
@@ -12,6 +12,7 @@ const terminated = () => new DOMException('terminate() was called.', 'AbortError
 
 export interface ClientSettings {
   module: WebAssembly.Module;
+  name: ModuleName;
   maxMemory: number;
   workerUrl?: Address;
 }
@@ -102,14 +103,14 @@ export class Client {
   }
 
   #startWorker(): WorkerHandle {
-    const { module, maxMemory, workerUrl } = this.#settings;
+    const { module, name, maxMemory, workerUrl } = this.#settings;
     const isCurrent = () => this.#worker === worker;
     const worker = this.#platform.startWorker(
       {
         onMessage: (message) => isCurrent() && this.#onMessage(message),
         onCrash: (error) => isCurrent() && this.#onCrash(error),
       },
-      buildOf(module),
+      name,
       workerUrl,
     );
     worker.post({ type: 'start', module, maxMemory });

@@ -1,8 +1,10 @@
+import type { Baker, BakerSettings } from './baker.js';
 import { buildOf } from './base/build-of.js';
 import { type Build, bestBuild, whyNoThreads } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
 import { STATUS_NAMES, WRITTEN_FORMATS } from './base/generated.js';
 import { MAX_MEMORY } from './base/memory.js';
+import { startOnce } from './base/start-once.js';
 import { Client } from './client.js';
 import { ownFields } from './messages/fields.js';
 import { takeArrays, takeFile, takeMesh } from './messages/input.js';
@@ -22,6 +24,7 @@ import {
   KEYS,
   knownArrays,
   knownOptions,
+  packNumbers,
   pinNumbers,
   pinnedVertices,
   straightNumbers,
@@ -41,6 +44,8 @@ import type {
   MeshFile,
   MeshInput,
   MeshSummary,
+  PackOptions,
+  PackResult,
   PinWeights,
   SampleOptions,
   TriangleMesh,
@@ -54,7 +59,7 @@ export async function connect(platform: Platform, given: CreateOptions = {}): Pr
   const options = knownOptions(given, KEYS.create);
   const { maxMemory = MAX_MEMORY, baseUrl, workerUrl } = options;
   checkMaxMemory(maxMemory);
-  for (const name of ['baseUrl', 'wasmUrl', 'workerUrl'] as const)
+  for (const name of ['baseUrl', 'wasmUrl', 'bakeUrl', 'workerUrl'] as const)
     checkAddress(name, options[name]);
   const start = (wanted: Pick<CreateOptions, 'build' | 'wasmUrl'>) =>
     startClient(platform, ownFields({ baseUrl, workerUrl, ...wanted, maxMemory }));
@@ -62,16 +67,31 @@ export async function connect(platform: Platform, given: CreateOptions = {}): Pr
   const { client, build } = await (isFree(options)
     ? start({ build: 'threads' }).catch(() => start({ build: 'simd' }))
     : start(options));
+  const baker = startOnce(() =>
+    loadBaker(platform, {
+      maxMemory,
+      moduleUrl: options.bakeUrl ?? fileIn(platform, baseUrl, wasmName('bake')),
+      workerUrl: workerUrl ?? fileIn(platform, baseUrl, platform.workerFile('bake')),
+    }),
+  );
   return {
     build,
     flatten: async (mesh, settings = {}) => flatten(client, mesh, settings),
     unwrap: async (mesh, settings = {}) => unwrap(client, mesh, settings),
+    pack: async (mesh, settings = {}) => pack(client, mesh, settings),
+    bake: async (mesh, layout, sources, settings = {}) => {
+      client.checkUsable();
+      return (await baker.get()).bake(mesh, layout, sources, settings);
+    },
     compare: async (mesh, settings = {}) => compare(client, mesh, settings),
     inspect: async (mesh, settings = {}) => inspect(client, mesh, settings),
     pinWeights: async (mesh, pins, settings = {}) => pinWeights(client, mesh, pins, settings),
     load: async (file, settings = {}) => load(client, file, settings),
     sample: async (name, settings = {}) => sample(client, name, settings),
-    terminate: () => client.terminate(),
+    terminate: () => {
+      client.terminate();
+      baker.whenStarted((started) => started.terminate());
+    },
   };
 }
 
@@ -88,9 +108,9 @@ async function startClient(
 ): Promise<{ client: Client; build: Build }> {
   const module = await loadModule(platform, options);
   const { maxMemory, baseUrl } = options;
-  const workerUrl =
-    options.workerUrl ?? fileIn(platform, baseUrl, platform.workerFile(buildOf(module)));
-  const client = new Client(platform, { module, maxMemory, workerUrl });
+  const name = buildOf(module);
+  const workerUrl = options.workerUrl ?? fileIn(platform, baseUrl, platform.workerFile(name));
+  const client = new Client(platform, { module, name, maxMemory, workerUrl });
   const { build, statuses } = await client.call<Description>({ kind: 'describe' });
   if (statuses.join() === STATUS_NAMES.join()) return { client, build };
   client.terminate();
@@ -106,6 +126,19 @@ function fileIn(platform: Platform, folder: Address | undefined, name: string): 
     return platform.fileIn(folder, name);
   } catch (error) {
     throw new AbflatError('InvalidOption', `baseUrl is not a valid URL: ${messageOf(error)}.`);
+  }
+}
+
+async function loadBaker(platform: Platform, settings: BakerSettings): Promise<Baker> {
+  try {
+    const { Baker } = await import('./baker.js');
+    return new Baker(platform, settings);
+  } catch (error) {
+    throw new AbflatError(
+      'UnreadableFile',
+      `Cannot load the part of abflat that bakes: ${messageOf(error)}.`,
+      'module',
+    );
   }
 }
 
@@ -136,13 +169,15 @@ function checkThreads(): void {
 
 function flatten(client: Client, mesh: MeshInput, given: FlattenOptions): Promise<FlattenResult> {
   const options = knownOptions(given, KEYS.flatten);
-  const { normalize, pins } = options;
+  const { normalize } = options;
   checkBoolean('normalize', normalize);
-  if (normalize && pinNumbers(pins).length > 0)
+  const pins = pinNumbers(options.pins);
+  if (normalize && pins.length > 0)
     throw new AbflatError('InvalidOption', 'normalize would move the pins. Use only one of them.');
   const settings = {
     kind: 'flatten',
     values: flattenNumbers(options),
+    pins,
     bounds: boundNumbers(options.bounds),
     straight: straightNumbers(options.straight),
     normalizes: normalize === true,
@@ -163,6 +198,7 @@ function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<
   const settings = {
     kind: 'unwrap',
     values: unwrapNumbers(options),
+    pins: pinNumbers(options.pins),
     seams,
     arrays,
     keepsUv: options.fixedFaces === 'uv',
@@ -175,19 +211,24 @@ function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<
   return layout(client, mesh, options, (common) => ({ ...common, ...settings }), buffers);
 }
 
+function pack(client: Client, mesh: MeshInput, given: PackOptions): Promise<PackResult> {
+  const options = knownOptions(given, KEYS.pack);
+  const settings = { kind: 'pack', values: packNumbers(options) } as const;
+  return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
+}
+
 /**
  * The part that calls returning a layout share. `request` adds the rest of the request, whose
  * buffers are `buffers`.
  */
-function layout<T extends FlattenResult | UnwrapResult>(
+function layout<T extends FlattenResult | UnwrapResult | PackResult>(
   client: Client,
   mesh: MeshInput,
-  options: FlattenOptions | UnwrapOptions,
+  options: FlattenOptions | UnwrapOptions | PackOptions,
   request: (common: LayoutRequest) => Request,
   buffers: ArrayBuffer[] = [],
 ): Promise<T> {
-  const { pins, roundsForGltf, transfer, signal, onProgress } = options;
-  const pinned = pinNumbers(pins);
+  const { roundsForGltf, transfer, signal, onProgress } = options;
   for (const name of WRITTEN_FORMATS) checkBoolean(name, options[name]);
   checkBoolean('roundsForGltf', roundsForGltf);
   checkFunction('onProgress', onProgress);
@@ -196,7 +237,6 @@ function layout<T extends FlattenResult | UnwrapResult>(
   const owned = takeMesh(mesh, transfer);
   const common: LayoutRequest = {
     mesh: owned.mesh,
-    pins: pinned,
     files: WRITTEN_FORMATS.filter((name) => options[name]),
     wantsProgress: onProgress !== undefined,
     roundsForGltf: roundsForGltf === true,

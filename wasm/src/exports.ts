@@ -3,11 +3,16 @@
 export { type Build, bestBuild } from './base/builds.js';
 export { AbflatError, type LostPart } from './base/errors.js';
 export {
+  type BakeStage,
   FLATTEN_DEFAULTS,
   FLATTEN_OPTIONS,
   type FlattenOptionValues,
   type FlattenStage,
   type LinearSolver,
+  PACK_DEFAULTS,
+  PACK_OPTIONS,
+  type PackOptionValues,
+  type PackStage,
   type Solver,
   STATUS_NAMES,
   STATUSES,
@@ -17,5 +22,7 @@ export {
   type UnwrapOptionValues,
   type UnwrapStage,
 } from './base/generated.js';
+export type { BakeOptionValues } from './base/generated-bake.js';
+export { UV_FAULT } from './base/generated-bits.js';
 export { SAMPLE_NAMES, type SampleName } from './base/samples.js';
 export type * from './types/index.js';

@@ -1,34 +1,42 @@
 // Unwraps glTF-Transform documents.
 
-import type { Document, Mesh, Primitive, Transform } from '@gltf-transform/core';
-import { AbflatError } from './base/errors.js';
+import type { Document, Mesh, Transform } from '@gltf-transform/core';
 import type { WrittenFormat } from './base/generated.js';
+import type { BakeDocumentOptions, LaidAtlas } from './gltf/bake/bake-document.js';
+import type { BakedTexture } from './gltf/bake/put-look.js';
+import { bakingOf, firstPart, lastPart } from './gltf/baking.js';
 import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
+import { checkGroupBy, checkSets, type GroupBy, grouped, layEach } from './gltf/groups.js';
 import { giveOwnMeshes } from './gltf/own-meshes.js';
 import { setTexcoords } from './gltf/texcoords.js';
-import { freeTexcoord } from './gltf/texture-sets.js';
+import { freeBakedTexcoord, freeTexcoord } from './gltf/texture-sets.js';
 import { ownFields } from './messages/fields.js';
 import { neededFor } from './messages/needed-arrays.js';
-import { checkAbflat, checkBoolean, checkFunction, optionsOf, shown } from './messages/validate.js';
-import type { Abflat, UnwrapOptions, UnwrapProgress, UnwrapResult } from './types/index.js';
+import { checkAbflat, checkBoolean, checkFunction, optionsOf } from './messages/validate.js';
+import type { Abflat, UnwrapOptions, UnwrapResult } from './types/index.js';
 
+export { type BakedLayout, type BakeLayoutOptions, bakeLayout } from './bake-layout.js';
+export type { BakeDocumentOptions } from './gltf/bake/bake-document.js';
+export type { DecodeImage, EncodeImage } from './gltf/bake/codecs.js';
+export type { ImageFile } from './gltf/bake/image-file.js';
+export type { MapName } from './gltf/bake/material-look.js';
+export type { BakedTexture } from './gltf/bake/put-look.js';
 export {
   type DocumentMesh,
   type DocumentPart,
   documentMesh,
 } from './gltf/document-mesh.js';
+export type { GroupBy } from './gltf/groups.js';
 export { type SetTexcoordsOptions, setTexcoords } from './gltf/texcoords.js';
 export { freeTexcoord, sampledTexcoords } from './gltf/texture-sets.js';
-
-/**
- * What shares an atlas: everything, the primitives of a mesh, or nothing (one atlas per primitive).
- */
-export type GroupBy = 'scene' | 'mesh' | 'primitive';
+export { type PackDocumentOptions, type PackedDocumentAtlas, pack } from './pack-document.js';
 
 export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
   result: UnwrapResult;
   /** The set that holds the coordinates. */
   texcoord: number;
+  /** The new images, with `bake`. */
+  baked?: BakedTexture[];
 }
 
 /** The options of `unwrap`, which apply to every atlas, and these. */
@@ -54,6 +62,12 @@ export interface UnwrapDocumentOptions
    * lightmaps need. Default: false, they share its texels.
    */
   ownTexels?: boolean;
+  /**
+   * Have textures follow the new layout: materials get new images, with what to know about them in
+   * an object. `texcoord` is then `auto` by default, for which baked textures do not count.
+   * Default: false.
+   */
+  bake?: boolean | BakeDocumentOptions;
   /** Called for each atlas once the document has it. */
   onAtlas?: (atlas: DocumentAtlas) => void;
 }
@@ -63,24 +77,27 @@ export interface UnwrapDocumentOptions
  * 1 }))`. If it fails, the document stays as it was.
  */
 export function unwrap(
-  abflat: Pick<Abflat, 'unwrap'>,
+  abflat: Pick<Abflat, 'unwrap'> & Partial<Pick<Abflat, 'bake'>>,
   options: UnwrapDocumentOptions = {},
 ): Transform {
   const own = optionsOf(options);
   const {
     readTexcoord = 0,
-    texcoord = own.fixedFaces === 'uv' ? readTexcoord : 0,
+    bake = false,
+    texcoord = usualTexcoord(own, readTexcoord),
     overwrite = texcoord === 'auto' || own.fixedFaces !== undefined,
     groupBy = 'scene',
     ownTexels = false,
     onAtlas,
     ...settings
   } = own;
-  checkAbflat(abflat);
+  checkAbflat(abflat, 'unwrap');
   check({ texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas });
   checkFunction('onProgress', own.onProgress);
+  const baking = bakingOf(abflat, bake, own.udim);
   const transform = async (document: Document): Promise<void> => {
-    const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
+    const free = baking ? freeBakedTexcoord : freeTexcoord;
+    const set = texcoord === 'auto' ? free(document) : texcoord;
     const all = membersOf(document);
     const isWanted = ({ primitive }: Member) =>
       overwrite || !primitive.getAttribute(`TEXCOORD_${set}`);
@@ -93,19 +110,39 @@ export function unwrap(
       const meshes = grouped(members, groupBy)
         .map((group) => documentMesh(document, group, readTexcoord))
         .filter(({ indices }) => indices.length > 0);
-      return unwrapGroups(abflat, meshes, settings);
+      const onLaid = baking ? firstPart(own.onProgress) : own.onProgress;
+      const atlases = await unwrapGroups(abflat, meshes, { ...settings, onProgress: onLaid });
+      const looks = await baking?.prepare(document, atlases.map(laidOf), {
+        signal: own.signal,
+        onProgress: lastPart(own.onProgress),
+      });
+      return atlases.map((atlas, i) => ({ atlas, look: looks?.[i] }));
     };
     const unwrapped = await lay().catch((error) => {
       takeBack();
       throw error;
     });
-    for (const { parts, result } of unwrapped) {
+    const done = unwrapped.map(({ atlas, look }): DocumentAtlas => {
+      const { parts, result } = atlas;
       const { turnedFaces } = result.report.repair;
       setTexcoords({ document, parts }, result, { texcoord: set, turnedFaces });
-    }
-    for (const atlas of unwrapped) await onAtlas?.({ ...atlas, texcoord: set });
+      return { ...atlas, texcoord: set, ...(look && { baked: look(set) }) };
+    });
+    for (const atlas of done) await onAtlas?.(atlas);
   };
   return Object.defineProperty(transform, 'name', { value: 'unwrap' });
+}
+
+/** Textures stay correct unless the caller says otherwise. */
+function usualTexcoord({ fixedFaces, bake }: UnwrapDocumentOptions, readTexcoord: number) {
+  if (fixedFaces === 'uv') return readTexcoord;
+  return bake ? 'auto' : 0;
+}
+
+function laidOf({ parts, result }: Pick<DocumentAtlas, 'parts' | 'result'>): LaidAtlas {
+  const { repair, atlas } = result.report;
+  const { padding, resolution } = atlas;
+  return { parts, result, turnedFaces: repair.turnedFaces, padding, resolution };
 }
 
 /** An unchanged document may surprise a caller who asked for an atlas. */
@@ -120,54 +157,25 @@ function tellKept(document: Document, set: number, kept: number, count: number):
 
 function check(options: UnwrapDocumentOptions): void {
   const { texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas } = options;
-  const isSet = (set: unknown) => Number.isInteger(set) && (set as number) >= 0;
-  if (texcoord !== 'auto' && !isSet(texcoord))
-    throw invalid(`texcoord must be 'auto' or a whole number from 0, not ${shown(texcoord)}.`);
-  if (!isSet(readTexcoord))
-    throw invalid(`readTexcoord must be a whole number from 0, not ${shown(readTexcoord)}.`);
+  checkSets(texcoord, readTexcoord);
   checkBoolean('overwrite', overwrite);
   checkBoolean('ownTexels', ownTexels);
   checkFunction('onAtlas', onAtlas);
-  if (!['scene', 'mesh', 'primitive'].includes(groupBy as string))
-    throw invalid(`groupBy must be one of scene, mesh, primitive, not ${shown(groupBy)}.`);
+  checkGroupBy(groupBy);
 }
 
-const invalid = (message: string) => new AbflatError('InvalidOption', message);
-
-function grouped(members: Member[], groupBy: GroupBy): Member[][] {
-  const groups = new Map<Mesh | Primitive | undefined, Member[]>();
-  for (const member of members) {
-    const key = groupBy === 'scene' ? undefined : member[groupBy];
-    const group = groups.get(key) ?? [];
-    group.push(member);
-    groups.set(key, group);
-  }
-  return [...groups.values()];
-}
-
-/** One after the other; `fraction` covers all of them. */
 async function unwrapGroups(
   abflat: Pick<Abflat, 'unwrap'>,
   meshes: DocumentMesh[],
   options: UnwrapOptions,
 ): Promise<Omit<DocumentAtlas, 'texcoord'>[]> {
-  const { onProgress } = ownFields(options);
-  const atlases: Omit<DocumentAtlas, 'texcoord'>[] = [];
-  for (const [i, mesh] of meshes.entries()) {
-    const tell = (progress: UnwrapProgress) =>
-      onProgress?.({ ...progress, fraction: (i + progress.fraction) / meshes.length });
-    const result = await abflat.unwrap(neededFor(options, mesh), {
-      ...options,
-      ...(onProgress && { onProgress: tell }),
-      transfer: true,
-      roundsForGltf: true,
-    });
+  return layEach(meshes, ownFields(options).onProgress, async (mesh, call) => {
+    const result = await abflat.unwrap(neededFor(options, mesh), { ...options, ...call });
     // The only ones it has are about nodes that share texels.
     const notes = mesh.notes.map(
       (note) => `${note}. With the option ownTexels each node gets texels of its own`,
     );
     result.report.notes.unshift(...notes);
-    atlases.push({ parts: mesh.parts, result });
-  }
-  return atlases;
+    return result;
+  });
 }

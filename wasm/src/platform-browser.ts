@@ -1,4 +1,4 @@
-import type { Build } from './base/builds.js';
+import type { ModuleName } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
 import type { FromWorker } from './messages/protocol.js';
 import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
@@ -18,8 +18,8 @@ export const browser: Platform = {
   fileIn: (folder, name) =>
     new URL(name, new URL(textOf(folder).replace(/\/*$/, '/'), page())).href,
 
-  async loadModule(build, address) {
-    const url = address ? new URL(textOf(address), page()) : wasmFile(build);
+  async loadModule(name, address) {
+    const url = address ? new URL(textOf(address), page()) : wasmFile(name);
     const advice = address ? '' : ` ${adviceFor(url)}`;
     const response = await fetchFile(url, advice);
     try {
@@ -32,10 +32,10 @@ export const browser: Platform = {
     }
   },
 
-  workerFile: (build) => `worker-${build}.js`,
+  workerFile: (name) => `worker-${name}.js`,
 
-  startWorker(events, build, address) {
-    const worker = openWorker(build, address);
+  startWorker(events, name, address) {
+    const worker = openWorker(name, address);
     worker.onmessage = (event: MessageEvent<FromWorker>) => events.onMessage(event.data);
     worker.onmessageerror = () => events.onCrash(crash('a message from it cannot be read'));
     worker.onerror = (event) => {
@@ -79,11 +79,11 @@ function notLoaded(address?: Address): AbflatError {
 
 const addressOf = (address: Address) => new URL(textOf(address), page());
 
-function openWorker(build: Build, address?: Address): Worker {
-  const url = address === undefined ? new URL(`./worker-${build}.js`, here) : addressOf(address);
+function openWorker(name: ModuleName, address?: Address): Worker {
+  const url = address === undefined ? new URL(`./worker-${name}.js`, here) : addressOf(address);
   try {
     if (isForeign(url)) return openForeignWorker(url);
-    return address === undefined ? openOwnWorker(build) : new Worker(url, { type: 'module' });
+    return address === undefined ? openOwnWorker(name) : new Worker(url, { type: 'module' });
   } catch (error) {
     throw new AbflatError(
       'UnreadableFile',
@@ -94,17 +94,19 @@ function openWorker(build: Build, address?: Address): Worker {
 }
 
 /**
- * Bundlers find the workers' files by exactly these expressions. There is one per build because not
+ * Bundlers find the workers' files by exactly these expressions. There is one per module because not
  * all worker formats that bundlers write allow parts to be loaded later.
  */
-function openOwnWorker(build: Build): Worker {
-  switch (build) {
+function openOwnWorker(name: ModuleName): Worker {
+  switch (name) {
     case 'plain':
       return new Worker(new URL('./worker-plain.js', import.meta.url), { type: 'module' });
     case 'simd':
       return new Worker(new URL('./worker-simd.js', import.meta.url), { type: 'module' });
     case 'threads':
       return new Worker(new URL('./worker-threads.js', import.meta.url), { type: 'module' });
+    case 'bake':
+      return new Worker(new URL('./worker-bake.js', import.meta.url), { type: 'module' });
   }
 }
 

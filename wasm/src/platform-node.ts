@@ -18,9 +18,9 @@ export const node: Platform = {
   fileIn: (folder, name) =>
     isRemote(folder) ? browser.fileIn(folder, name) : join(pathOf(folder), name),
 
-  async loadModule(build, address) {
-    if (address && isRemote(address)) return browser.loadModule(build, address);
-    const path = pathOf(address ?? wasmFile(build));
+  async loadModule(name, address) {
+    if (address && isRemote(address)) return browser.loadModule(name, address);
+    const path = pathOf(address ?? wasmFile(name));
     let bytes: Uint8Array<ArrayBuffer>;
     try {
       bytes = await readFile(path);
@@ -36,7 +36,7 @@ export const node: Platform = {
 
   workerFile: () => 'worker-node.js',
 
-  startWorker(events, _build, address) {
+  startWorker(events, _name, address) {
     // The worker must not inherit the flags of the process; some, such as --input-type, would stop
     // it. Bundlers only find a worker whose options are written beside it.
     const worker =

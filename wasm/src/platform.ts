@@ -1,4 +1,4 @@
-import type { Build } from './base/builds.js';
+import type { ModuleName } from './base/builds.js';
 import type { AbflatError } from './base/errors.js';
 import type { FromWorker, ToWorker } from './messages/protocol.js';
 import type { UrlLike } from './types/index.js';
@@ -30,8 +30,8 @@ export interface Platform {
   /** The address of a file in a folder. */
   fileIn(folder: Address, name: string): string;
   /** Rejects with a sentence that names the file. */
-  loadModule(build: Build, address?: Address): Promise<WebAssembly.Module>;
-  /** The script of the worker that runs a build. */
-  workerFile(build: Build): string;
-  startWorker(events: WorkerEvents, build: Build, address?: Address): WorkerHandle;
+  loadModule(name: ModuleName, address?: Address): Promise<WebAssembly.Module>;
+  /** The script of the worker that runs a module. */
+  workerFile(name: ModuleName): string;
+  startWorker(events: WorkerEvents, name: ModuleName, address?: Address): WorkerHandle;
 }

@@ -1,10 +1,9 @@
 // Shared by the Web Workers.
 
-import type { Glues } from './glue.js';
 import type { ToWorker } from './messages/protocol.js';
-import { serve } from './serve.js';
+import { type Start, serve } from './serve.js';
 
-export function serveWeb(glues: Glues): void {
+export function serveWeb(start: Start): void {
   serve(
     {
       post: (message, transfer = []) => globalThis.postMessage(message, { transfer }),
@@ -14,6 +13,6 @@ export function serveWeb(glues: Glues): void {
         );
       },
     },
-    glues,
+    start,
   );
 }

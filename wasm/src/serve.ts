@@ -2,8 +2,6 @@
 
 import { AbflatError, messageOf } from './base/errors.js';
 import { KEPT_MEMORY } from './base/memory.js';
-import { Engine } from './engine.js';
-import type { Glues } from './glue.js';
 import type { Answer, AnyProgress, FromWorker, Request, ToWorker } from './messages/protocol.js';
 
 /** About 30 a second. */
@@ -14,12 +12,20 @@ export interface Port {
   listen(handle: (message: ToWorker) => void): void;
 }
 
-/** `glues`: the builds that this worker can run. */
-export function serve(port: Port, glues: Glues): void {
+/** What answers calls. */
+interface Engine {
+  readonly heapBytes: number;
+  readonly isBroken: boolean;
+  run(request: Request, onProgress?: (progress: AnyProgress) => void): Answer;
+}
+
+export type Start = (module: WebAssembly.Module, maxMemory: number) => Promise<Engine>;
+
+export function serve(port: Port, start: Start): void {
   let engine: Promise<Engine> | undefined;
   port.listen((message) => {
     if (message.type === 'start') {
-      engine = Engine.create(message.module, message.maxMemory, glues);
+      engine = start(message.module, message.maxMemory);
       engine.catch(() => undefined); // the first call reports it
     } else {
       void answer(port, message.request, engine);

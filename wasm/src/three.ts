@@ -7,6 +7,7 @@ import { pickRows } from './base/rows.js';
 import { ownFields } from './messages/fields.js';
 import type { Layout, MeshArrays } from './types/index.js';
 
+export { type PackGeometryOptions, packGeometry } from './pack-geometry.js';
 export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
 
 export interface ToBufferGeometryOptions {

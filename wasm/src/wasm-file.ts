@@ -1,26 +1,28 @@
-import type { Build } from './base/builds.js';
+import type { ModuleName } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
 
 /**
  * Bundlers find the files by exactly these expressions. Not in builds.ts, which the worker also
  * loads.
  */
-export function wasmFile(build: Build): URL {
+export function wasmFile(name: ModuleName): URL {
   if (!import.meta.url)
     throw new AbflatError(
       'UnreadableFile',
       'A bundle that is not an ES module cannot find its files. Pass baseUrl to createAbflat.',
     );
-  switch (build) {
+  switch (name) {
     case 'plain':
       return new URL('./abflat.wasm', import.meta.url);
     case 'simd':
       return new URL('./abflat-simd.wasm', import.meta.url);
     case 'threads':
       return new URL('./abflat-threads.wasm', import.meta.url);
+    case 'bake':
+      return new URL('./abflat-bake.wasm', import.meta.url);
   }
 }
 
 /** Only the name of the file. */
-export const wasmName = (build: Build) =>
-  build === 'plain' ? 'abflat.wasm' : `abflat-${build}.wasm`;
+export const wasmName = (name: ModuleName) =>
+  name === 'plain' ? 'abflat.wasm' : `abflat-${name}.wasm`;

@@ -5,6 +5,7 @@ import { plain } from './glue-plain.js';
 import { simd } from './glue-simd.js';
 import type { ToWorker } from './messages/protocol.js';
 import { serve } from './serve.js';
+import { startsAny } from './start-any.js';
 
 if (!parentPort) throw new Error('This file is the worker of abflat; import abflat instead.');
 const port = parentPort;
@@ -17,5 +18,5 @@ serve(
       port.on('message', (message: ToWorker) => handle(message));
     },
   },
-  { plain, simd },
+  startsAny({ plain, simd }),
 );

@@ -2,5 +2,6 @@
 
 import { plain } from './glue-plain.js';
 import { serveWeb } from './serve-web.js';
+import { starts } from './starts.js';
 
-serveWeb({ plain });
+serveWeb(starts({ plain }));

@@ -2,5 +2,6 @@
 
 import { simd } from './glue-simd.js';
 import { serveWeb } from './serve-web.js';
+import { starts } from './starts.js';
 
-serveWeb({ simd });
+serveWeb(starts({ simd }));

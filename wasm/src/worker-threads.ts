@@ -2,5 +2,6 @@
 
 import { threads } from './glue-threads.js';
 import { serveWeb } from './serve-web.js';
+import { starts } from './starts.js';
 
-serveWeb({ threads });
+serveWeb(starts({ threads }));

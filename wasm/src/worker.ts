@@ -1,8 +1,9 @@
-// Entry of the Web Worker that runs every build; `workerUrl` points to it.
+// Entry of the Web Worker that runs every module; `workerUrl` points to it.
 
 import { plain } from './glue-plain.js';
 import { simd } from './glue-simd.js';
 import { threads } from './glue-threads.js';
 import { serveWeb } from './serve-web.js';
+import { startsAny } from './start-any.js';
 
-serveWeb({ plain, simd, threads });
+serveWeb(startsAny({ plain, simd, threads }));

@@ -7,7 +7,7 @@ import { join, sep } from 'node:path';
 const WORKER = 'sw.js';
 /** Copies, and what is there for people to read. */
 const NOT_OF_PAGE = /\.(br|gz|map|txt)$/;
-/** Each browser runs one of these. */
+/** Each browser runs one of these; what bakes is the same for all. */
 const MODULE = /^assets\/abflat(?:-(simd|threads))?-[\w-]{8}\.wasm$/;
 
 const sha256 = (content) => createHash('sha256').update(content).digest('base64');

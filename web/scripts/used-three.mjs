@@ -93,8 +93,9 @@ const UNUSED = {
   getDFGLUT: 'function getDFGLUT() {}',
 };
 
-/** Nothing is stored as JSON, and what is under the pointer is found by the page itself. */
-const UNUSED_METHODS = /^\t(?:static )?(?:toJSON|fromJSON|raycast)\(.*\) \{$[\s\S]*?^\t\}$/gm;
+/** Nothing is stored as JSON; what is under the pointer, and what keys do, is up to the page itself. */
+const UNUSED_METHODS =
+  /^\t(?:static )?(?:toJSON|fromJSON|raycast|_handleKeyDown|saveState)\(.*\) \{$[\s\S]*?^\t\}$/gm;
 
 /** The colours of the page are numbers. */
 const COLOR_NAMES = /^(const _colorKeywords = )\{[\s\S]*?\};$/m;

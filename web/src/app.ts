@@ -8,16 +8,18 @@ import { ReadTexcoord } from './controls/read-texcoord';
 import { RunPanel } from './controls/run-panel';
 import { plots } from './details/late-chart';
 import { methodTables } from './details/methods-tab';
-import { type Remedy, verdictOf } from './details/verdict';
+import type { Remedy } from './details/remedy';
+import { verdictOf } from './details/verdict';
 import { exportMeshes } from './export/exporter';
 import { HandTools } from './hand-tools';
-import { HelpSheet } from './help/help-sheet';
+import { HelpSheet, helpParts } from './help/help-sheet';
 import { LaterParts } from './later-parts';
 import { LayoutControls } from './layout-controls';
 import { Meshes } from './meshes';
 import type { FlatDrawing } from './model/drawing';
 import {
   type AnyProgress,
+  hasUvs,
   isSameFile,
   type Opened,
   type Outcome,
@@ -32,15 +34,15 @@ import { type Left, LeftMeshes } from './session/left-meshes';
 import { Session, type SessionEvents, type Shown } from './session/session';
 import type { Step } from './session/steps';
 import { titleOf } from './session/titles';
-import { failure, isOnlyPlaced, kept, settingsText } from './session/words';
+import { failure, isOnlyPlaced, kept, layingOut, settingsText } from './session/words';
 import { ownImages } from './shown/shown-image';
 import type { Views } from './view/views';
 import { LastVisit } from './visit/last-visit';
 import { PageHistory } from './visit/page-history';
 import { Unsaved } from './visit/unsaved';
-import { duration } from './words/format';
+import { continued, duration } from './words/format';
 import { BADGES } from './words/result';
-import { CHANGES, LAYING_OUT, RUN } from './words/run';
+import { CHANGES, RUN } from './words/run';
 import { MOVING } from './words/selection';
 import { Workshop } from './workshop/workshop';
 
@@ -71,6 +73,7 @@ export class App implements SessionEvents {
     () => this.seams.loadRest(),
     plots,
     methodTables,
+    helpParts,
     exportMeshes,
     ownImages,
   ]);
@@ -101,6 +104,9 @@ export class App implements SessionEvents {
     this.saving = new Saving(this.session, this.workshop, views, {
       exported: (outcome) => this.unsaved.saved(outcome),
       say: this.say,
+      progress: (fraction, text) => this.run.show(fraction, text),
+      ended: (text) => this.ended(text),
+      noted: (notes) => this.meshes.remark(notes),
     });
     this.tools =
       views &&
@@ -116,7 +122,7 @@ export class App implements SessionEvents {
     bindTheme(element('theme', HTMLButtonElement), () => views?.updateTheme());
     this.meshes = new Meshes(abflat, this.workshop, views, {
       gathering: (fraction, text) => this.run.show(fraction, text),
-      gathered: (text) => (this.session.isBusy ? this.say(text) : this.finish(text, false)),
+      gathered: (text) => this.ended(text),
       open: (source) => {
         this.refusal = '';
         void this.session.open(source);
@@ -176,7 +182,7 @@ export class App implements SessionEvents {
   /** There may be work by hand on the mesh on screen that no file has. */
   private noteWork(): void {
     const { shown } = this.meshes;
-    if (shown) this.unsaved.want(shown, this.controls.both);
+    if (shown) this.unsaved.want(shown, this.controls.all);
   }
 
   /** Switches the page to the other kind of layout, as it was left unless something else is wanted of it. */
@@ -199,11 +205,12 @@ export class App implements SessionEvents {
     const { mode } = this.controls.mode;
     this.result.setMode(mode);
     this.saving.setMode(mode);
-    element('delaunay', HTMLButtonElement).hidden = mode === 'unwrap';
+    element('delaunay', HTMLButtonElement).hidden = mode !== 'flatten';
   }
 
   private remedy(remedy: Remedy): void {
-    if (remedy === 'unwrap') this.controls.mode.choose('unwrap');
+    if (remedy === 'islands') this.controls.packIslands();
+    else if (remedy === 'unwrap') this.controls.mode.choose('unwrap');
     else if (remedy === 'pack') this.result.packAgain();
     else this.seams.cutFurther();
   }
@@ -259,7 +266,7 @@ export class App implements SessionEvents {
 
   started(source: Source, settings: Settings | null): void {
     this.result.leaveMethod();
-    const { doing, verb } = LAYING_OUT[this.controls.mode.mode];
+    const { doing, verb } = layingOut(settings ?? this.controls.settings);
     this.run.start(
       settings ? RUN.layingOut(doing, settingsText(settings)) : RUN.reading(titleOf(source)),
       verb,
@@ -279,13 +286,19 @@ export class App implements SessionEvents {
   opened(opened: Opened, before: Shown | null): void {
     const { source, mesh, summary } = opened;
     hideAlert();
-    const last = before && { ...before, history: this.history.list, settings: this.controls.both };
+    const last = before && { ...before, history: this.history.list, settings: this.controls.all };
     const left = this.left.get(source);
     this.tools?.clear();
     this.meshes.show(opened, last?.settings.some(isByHand) ?? false);
     if (last) this.leave(last);
     const isReread = last !== null && isSameFile(last.opened.source, source);
-    this.controls.open({ mesh, summary, name: source.name, isReread });
+    this.controls.open({
+      mesh,
+      summary,
+      name: source.name,
+      isReread,
+      hasUvs: hasUvs(opened),
+    });
     const asked = this.visit.opened(opened, left !== undefined);
     for (const settings of left?.settings ?? (asked ? [asked] : [])) this.ask(settings);
     if (left) this.history.resume(left.history);
@@ -310,15 +323,17 @@ export class App implements SessionEvents {
     const { report } = outcome.result;
     this.show(outcome, drawing);
     this.later.load();
-    const { badge } = verdictOf(outcome, drawing.areas);
+    const { badge, reason } = verdictOf(outcome, drawing.areas);
     const but = badge === BADGES.valid ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
     const isRepacked = this.said === CHANGES.packedAgain;
-    const done = isRepacked ? this.said : LAYING_OUT[outcome.mode].done;
+    const done = isRepacked ? this.said : layingOut(outcome.settings).done;
     const what = isOnlyPlaced(outcome)
       ? RUN.checked(this.said, time) + but
       : RUN.laidOut(done, time) + but + kept(outcome);
-    this.finish(this.visit.takeSaid() || what, false);
+    const isOfFile = outcome.mode === 'pack' && outcome.settings.keepPlaces;
+    const text = isOfFile ? RUN.uvsOfFile(time, continued(reason)) : what;
+    this.finish(this.visit.takeSaid() || text, false);
   }
 
   restored(outcome: Outcome, drawing: FlatDrawing): void {
@@ -362,7 +377,7 @@ export class App implements SessionEvents {
     showAlert(failure(source, settings, error.message), details.filter(Boolean).join(' '));
     this.meshes.showOpenSample();
     if (settings === null) this.finish(RUN.notOpened(titleOf(source)), this.isUnfinished(isStale));
-    else this.finish(RUN.notLaidOut(LAYING_OUT[settings.mode].done), false);
+    else this.finish(RUN.notLaidOut(layingOut(settings).done), false);
     if (isLost) this.offer(source, settings);
     this.saving.name(isStale);
   }
@@ -371,6 +386,12 @@ export class App implements SessionEvents {
   private offer(source: Source, settings: Settings | null): void {
     this.again = () => (settings ? this.session.refresh() : void this.session.open(source));
     this.run.offer(RUN.tryAgain);
+  }
+
+  /** Work other than a run has ended. */
+  private ended(text: string): void {
+    if (this.session.isBusy) this.say(text);
+    else this.finish(text, false);
   }
 
   private finish(text: string, canRepeat: boolean): void {

@@ -4,6 +4,7 @@ import { AtlasControl } from './controls/atlas-control';
 import { BalanceControl } from './controls/balance-control';
 import { BoundControl } from './controls/bound-control';
 import { ModeSwitch } from './controls/mode-switch';
+import { PackControl } from './controls/pack-control';
 import { Locks } from './details/locks';
 import { isAutomatic } from './details/verdict';
 import type { Unwrapped } from './model/model';
@@ -31,6 +32,7 @@ export class LayoutControls {
   readonly locks = new Locks();
   private readonly balance: BalanceControl;
   private readonly options: AtlasControl;
+  private readonly packing: PackControl;
   private readonly delaunay = element('delaunay', HTMLButtonElement);
   private placed: UnwrapSettings['placed'];
   private faceDensities: UnwrapSettings['faceDensities'];
@@ -48,6 +50,7 @@ export class LayoutControls {
       this.placed = undefined;
       changed();
     }, events.say);
+    this.packing = new PackControl(changed, events.say);
     this.mode = new ModeSwitch(() => events.modeChanged());
     this.delaunay.addEventListener('click', () => {
       this.setDelaunay(!this.isDelaunay);
@@ -56,13 +59,17 @@ export class LayoutControls {
   }
 
   get settings(): Settings {
-    return this.mode.mode === 'flatten' ? this.disk : this.atlas;
+    const { mode } = this.mode;
+    if (mode === 'pack') return this.packing.settings;
+    return mode === 'flatten' ? this.disk : this.atlas;
   }
 
-  /** Of the other kind of layout, then of the one that is chosen. */
-  get both(): Settings[] {
-    const { atlas, disk } = this;
-    return this.mode.mode === 'flatten' ? [atlas, disk] : [disk, atlas];
+  /** Of the other kinds of layout, then of the one that is chosen. */
+  get all(): Settings[] {
+    const { atlas, disk, packing } = this;
+    const all = [disk, atlas, ...(this.mode.offersUvs ? [packing.settings] : [])];
+    const isChosen = ({ mode }: Settings) => mode === this.mode.mode;
+    return [...all.filter((each) => !isChosen(each)), ...all.filter(isChosen)];
   }
 
   /** What is marked in an atlas. */
@@ -96,13 +103,14 @@ export class LayoutControls {
   }
 
   /** Another mesh was opened. */
-  open(mesh: Editable): void {
+  open(mesh: Editable & { hasUvs: boolean }): void {
     this.placed = undefined;
     this.faceDensities = undefined;
     this.ownBounds = undefined;
     this.pins = undefined;
     this.options.open(mesh);
-    this.mode.setDisk(mesh.summary.disk);
+    this.packing.reset();
+    this.mode.open(mesh.summary.disk, mesh.hasUvs, mesh.isReread);
     this.seams.open(mesh);
     this.showCutting();
     this.locks.clear();
@@ -132,9 +140,18 @@ export class LayoutControls {
     this.events.changed(CHANGES.packedAgain);
   }
 
+  /** The islands of the file are to be packed. */
+  packIslands(): void {
+    this.packing.setKeeping(false);
+  }
+
   /** Shows other settings without asking for them. */
   restore(settings: Settings): void {
     this.mode.restore(settings.mode);
+    if (settings.mode === 'pack') {
+      this.packing.restore(settings);
+      return;
+    }
     if (settings.mode === 'flatten') {
       this.bound.restore(settings.t);
       this.balance.restore(settings.balance);

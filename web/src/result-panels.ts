@@ -2,7 +2,8 @@ import type { Comparison, MethodResult } from 'abflat';
 import { element } from './base/dom';
 import { ChartsTab, type ChartsTabEvents } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
-import { Details } from './details/details';
+import { Details, type Tab } from './details/details';
+import { IslandsTab } from './details/islands-tab';
 import { MethodsTab } from './details/methods-tab';
 import { type MetricsEvents, MetricsPanel } from './details/metrics';
 import { SolverTab } from './details/solver-tab';
@@ -28,6 +29,13 @@ export interface ResultEvents
   say(text: string): void;
 }
 
+/** Where the notes of each kind of layout are. */
+const NOTES: Record<Mode, { tab: Tab; notes: string }> = {
+  flatten: { tab: 'solver', notes: 'notes' },
+  unwrap: { tab: 'charts', notes: 'atlas-notes' },
+  pack: { tab: 'islands', notes: 'islands-notes' },
+};
+
 /** The last result: its layout, its numbers and its details. */
 export class ResultPanels {
   private readonly details = new Details((tab) => {
@@ -38,6 +46,7 @@ export class ResultPanels {
   private readonly copyReport: CopyReport;
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
+  private readonly islands = new IslandsTab();
   private readonly sweep: SweepTab;
   private readonly methods: MethodsTab;
   private readonly shownMethod: ShownMethod;
@@ -135,6 +144,7 @@ export class ResultPanels {
     this.metrics.clear();
     this.copyReport.clear();
     this.charts.clear();
+    this.islands.clear();
     this.solver.clear();
   }
 
@@ -188,6 +198,10 @@ export class ResultPanels {
       this.charts.show(outcome, chartColors);
       return;
     }
+    if (outcome.mode === 'pack') {
+      this.islands.show(outcome);
+      return;
+    }
     const chart = foundChart(outcome);
     this.solver.show(chart);
     this.sweep.setCurrent(chart.t);
@@ -211,8 +225,8 @@ export class ResultPanels {
   }
 
   private showNotes(): void {
-    const isAtlas = this.outcome?.mode === 'unwrap';
-    this.details.openAt(isAtlas ? 'charts' : 'solver');
-    element(isAtlas ? 'atlas-notes' : 'notes', HTMLElement).scrollIntoView({ block: 'nearest' });
+    const { tab, notes } = NOTES[this.outcome?.mode ?? 'flatten'];
+    this.details.openAt(tab);
+    element(notes, HTMLElement).scrollIntoView({ block: 'nearest' });
   }
 }

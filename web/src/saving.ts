@@ -1,6 +1,7 @@
 import { hideAlert, showAlert } from './base/alert';
 import { loadPart } from './base/load-part';
 import { TexcoordChoice } from './controls/texcoord-choice';
+import { BakeOffer } from './export/bake-offer';
 import { ExportControl } from './export/export-control';
 import { Exporter } from './export/exporter';
 import { LayoutBar } from './export/layout-bar';
@@ -19,6 +20,11 @@ export interface SavingEvents {
   /** A mesh with this layout is in a file. */
   exported(outcome: Outcome): void;
   say(text: string): void;
+  progress(fraction: number, what: string): void;
+  /** The work whose progress was shown has ended. */
+  ended(text: string): void;
+  /** What to know about a file that was written. */
+  noted(notes: string[]): void;
 }
 
 /** Everything that saves a file of a result. */
@@ -31,6 +37,7 @@ export class Saving {
   });
   private readonly bar: LayoutBar;
   private readonly texcoordChoice = new TexcoordChoice();
+  private readonly baking: BakeOffer;
   /** The last result. */
   private outcome: Outcome | null = null;
   /** The mesh on screen. */
@@ -43,8 +50,12 @@ export class Saving {
     private readonly events: SavingEvents,
   ) {
     const { say } = events;
+    this.baking = new BakeOffer({ changed: () => this.bakingChanged(), say });
     this.exporter = new Exporter(session, workshop, {
       say,
+      progress: (fraction, what) => events.progress(fraction, what),
+      ended: (text) => events.ended(text),
+      noted: (notes) => events.noted(notes),
       exported: ({ outcome }) => {
         hideAlert();
         events.exported(outcome);
@@ -63,6 +74,7 @@ export class Saving {
     this.exporter.stop();
     this.control.open(source);
     this.shown = source;
+    this.baking.reset();
     this.update(null, true);
   }
 
@@ -100,22 +112,34 @@ export class Saving {
   private update(chartColors: Float32Array | null, isNew: boolean): void {
     const { current } = this;
     this.control.isDisabled = current === null;
+    this.baking.show(current);
+    this.control.showBaked(this.baking.imageSide !== null);
     this.showTexcoordChoice(isNew);
     this.name(false);
-    const isAtlas = current?.mode === 'unwrap' && chartColors;
+    const isAtlas = current && current.mode !== 'flatten' && chartColors;
     this.bar.show(isAtlas ? { outcome: current, chartColors } : null);
   }
 
   private showTexcoordChoice(isNew: boolean): void {
-    this.texcoordChoice.show(this.control.format === 'glb' ? this.current : null, isNew);
+    const isChosen = this.control.format === 'glb' && this.baking.imageSide === null;
+    this.texcoordChoice.show(isChosen ? this.current : null, isNew);
+  }
+
+  private bakingChanged(): void {
+    const isBaked = this.baking.imageSide !== null;
+    if (isBaked) this.control.chooseGlb();
+    this.control.showBaked(isBaked);
+    this.showTexcoordChoice(false);
   }
 
   private export(): void {
     const { outcome } = this;
     if (!outcome) return;
     const { format, title } = this.control;
+    const { imageSide } = this.baking;
+    const { texcoord } = this.texcoordChoice;
     // The button's title says if the layout is an earlier one.
-    this.exporter.export({ outcome, format, texcoord: this.texcoordChoice.texcoord }, title);
+    this.exporter.export({ outcome, format, texcoord, imageSide }, title);
   }
 
   private savePicture(): void {

@@ -72,6 +72,13 @@ std::size_t Field::requiredIndex(std::size_t size, const char* list) const {
   return index(size, list);
 }
 
+double Field::number(double fallback) const {
+  if (!value_) return fallback;
+  if (const std::optional<double> value = value_->number()) return *value;
+  complain("is not a number");
+  return fallback;
+}
+
 bool Field::flag() const {
   if (!value_) return false;
   if (!value_->flag()) complain("must be true or false");

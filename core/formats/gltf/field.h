@@ -56,8 +56,9 @@ class Field {
   std::size_t index(std::size_t size, const char* list) const;
   /// The same for a required value.
   std::size_t requiredIndex(std::size_t size, const char* list) const;
-  bool flag() const;         ///< absent: false
-  std::string text() const;  ///< absent: empty
+  double number(double fallback) const;  ///< a finite number; absent: `fallback`
+  bool flag() const;                     ///< absent: false
+  std::string text() const;              ///< absent: empty
   /// As many finite numbers as `out` has; `out` is unchanged if there are none.
   void numbers(double* out, std::size_t size) const;
 

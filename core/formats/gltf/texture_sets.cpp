@@ -29,12 +29,13 @@ std::size_t setOf(const Json& texture) {
   return transform ? numberOf(transform->find("texCoord"), set) : set;
 }
 
-/// Texcoord sets of all textures of a material, including those of its extensions.
-void addSets(const Json& material, std::set<std::size_t>& sets) {
+/// Texcoord sets of all textures of a material, including those of its extensions; or, with
+/// `isBaked`, of these alone.
+void addSets(const Json& material, std::set<std::size_t>& sets, bool isBaked = false) {
   for (const auto& [key, value] : material.members()) {
     if (key == "extras") continue;
-    if (isTextureInfo(key, value)) sets.insert(setOf(value));
-    addSets(value, sets);
+    if (isTextureInfo(key, value) && !isBaked) sets.insert(setOf(value));
+    addSets(value, sets, isBaked && key != "extensions");
   }
 }
 
@@ -49,20 +50,23 @@ void addMaterials(const Json& json, std::set<std::size_t>& materials) {
 
 class TextureSets {
  public:
-  explicit TextureSets(const Document& document) {
-    std::set<std::size_t> materials;
+  explicit TextureSets(const Document& document, bool isBaked = false) {
+    std::set<std::size_t> materials, others;
     for (std::size_t m = 0; m < document.meshes.size(); ++m)
       for (std::size_t p = 0; p < document.meshes[m].size(); ++p) {
         const Primitive& primitive = document.meshes[m][p];
         if (!hasTriangles(primitive.mode)) continue;
         materials.insert(primitive.material);
         const Json& json = document.json["meshes"][m]["primitives"][p];
-        if (const Json* extensions = json.find("extensions")) addMaterials(*extensions, materials);
+        if (const Json* extensions = json.find("extensions")) addMaterials(*extensions, others);
         for (const auto& attribute : primitive.attributes) names_.insert(attribute.first);
       }
     const Json* const list = document.json.find("materials");
+    const std::size_t count = list ? list->items().size() : 0;
     for (const std::size_t m : materials)
-      if (list && m < list->items().size()) addSets((*list)[m], sampled_);
+      if (m < count) addSets((*list)[m], sampled_, isBaked);
+    for (const std::size_t m : others)
+      if (m < count) addSets((*list)[m], sampled_);
   }
 
   bool isSampled(std::size_t set) const { return sampled_.count(set) > 0; }
@@ -78,8 +82,8 @@ class TextureSets {
 }  // namespace
 }  // namespace gltf
 
-std::size_t freeTexcoord(const gltf::Source& source) {
-  const gltf::TextureSets sets(source.document);
+std::size_t freeTexcoord(const gltf::Source& source, bool isBaked) {
+  const gltf::TextureSets sets(source.document, isBaked);
   if (!sets.isSampled(0)) return 0;
   std::size_t out = 1;
   while (sets.isTaken(out)) ++out;

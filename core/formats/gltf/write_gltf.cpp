@@ -3,7 +3,9 @@
 
 #include "abflat/gltf.h"
 #include "base/guarded.h"
+#include "gltf/baked_materials.h"
 #include "gltf/container.h"
+#include "gltf/drop_unused.h"
 #include "gltf/edit.h"
 #include "gltf/grow.h"
 #include "gltf/source.h"
@@ -181,6 +183,10 @@ Result<std::string> writeGltf(const gltf::Source& source, const std::vector<doub
   return guarded([&]() -> Result<std::string> {
     gltf::SplitParts split = gltf::splitParts(source, uv, cornerUv, options.turnedFaces);
     auto [json, buffer] = gltf::ModelWriter(source, std::move(split), options.texcoord).write();
+    if (options.baked) {
+      gltf::putBaked(source, *options.baked, options.texcoord, json, buffer);
+      if (gltf::knowsReferences(json)) gltf::dropUnused(json, buffer);
+    }
     gltf::moveImages(json, options.pathToSource);
     if (options.isBinary)
       return gltf::binaryFile(json.dump(false), buffer, source.document.otherChunks);

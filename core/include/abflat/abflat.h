@@ -25,10 +25,13 @@ typedef struct abflat_mesh {
   size_t index_size;      /* bytes of a vertex's number: 2 (unsigned), 4 or 8; 0: 4 */
   size_t triangle_stride; /* bytes from one triangle to the next; 0: they follow each other */
   size_t triangle_count;
+  const void* texcoords; /* u, v of each vertex, NaN if it has none; only abflat_pack reads them */
+  int texcoords_are_floats;
+  size_t texcoord_stride;
 } abflat_mesh;
 
 /* Receives the name of the stage and a rough share from 0 to 1. Called often, from the thread that
-   called abflat_unwrap; 0 cancels. */
+   called abflat_unwrap or abflat_pack; 0 cancels. */
 typedef int (*abflat_progress)(const char* stage, double share, void* user);
 
 ABFLAT_API const char* abflat_version(void);
@@ -40,10 +43,10 @@ ABFLAT_API const char* abflat_status_name(int status);
 ABFLAT_API abflat_options* abflat_new_options(void);
 ABFLAT_API void abflat_free_options(abflat_options* options);
 
-/* Sets an option of unwrap by its name in JSON ("maxStretch") or on the command line
-   ("--max-stretch") to a value as on the command line: "1.04", "auto", "true", "quarter"; "seams"
-   takes a list of sources, such as "auto,sharp=60". Returns a status; InvalidOption changes
-   nothing. */
+/* Sets an option of unwrap, of pack, or of both, by its name in JSON ("maxStretch") or on the
+   command line ("--max-stretch") to a value as on the command line: "1.04", "auto", "true",
+   "quarter"; "seams" takes a list of sources, such as "auto,sharp=60". Returns a status;
+   InvalidOption changes nothing. */
 ABFLAT_API int abflat_set_option(abflat_options* options, const char* name, const char* value);
 
 /* One sentence about the last call of abflat_set_option; empty if its status was 0. */
@@ -55,12 +58,17 @@ ABFLAT_API const char* abflat_option_message(const abflat_options* options);
    abflat_is_valid. */
 ABFLAT_API int abflat_unwrap(const abflat_mesh* mesh, const abflat_options* options,
                              abflat_progress progress, void* user, abflat_result** result);
+
+/* The same for packing the layout that the mesh has: its uv islands keep their shapes. */
+ABFLAT_API int abflat_pack(const abflat_mesh* mesh, const abflat_options* options,
+                           abflat_progress progress, void* user, abflat_result** result);
 ABFLAT_API void abflat_free_result(abflat_result* result);
 
 /* One sentence that names the place and what to do; empty if the status is 0. */
 ABFLAT_API const char* abflat_message(const abflat_result* result);
 
-/* Whether no triangle is flipped and nothing overlaps, by exact arithmetic. */
+/* Whether no triangle is flipped and nothing overlaps, by exact arithmetic; after abflat_pack,
+   whether no two islands overlap that lay apart. */
 ABFLAT_API int abflat_is_valid(const abflat_result* result);
 
 /* JSON text; its keys are those of docs/report.md. */
@@ -75,7 +83,7 @@ ABFLAT_API const double* abflat_uv(const abflat_result* result,
 /* 3 vertices each, in the order of the input. */
 ABFLAT_API const uint32_t* abflat_triangles(const abflat_result* result, size_t* count);
 ABFLAT_API const uint32_t* abflat_charts(const abflat_result* result,
-                                         size_t* count); /* of each triangle */
+                                         size_t* count); /* or islands, of each triangle */
 
 #ifdef __cplusplus
 }

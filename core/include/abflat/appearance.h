@@ -29,7 +29,7 @@ struct MaterialLook {
   std::size_t image = kNoImage;  ///< colour texture, sampled at the texcoords of the mesh
 };
 
-/// A PNG or JPEG file.
+/// A file with an image.
 struct ImageFile {
   std::string name, mimeType, bytes;
 };

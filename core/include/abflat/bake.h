@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "abflat/export.h"
+#include "abflat/generated/bake_report.h"
 #include "abflat/status.h"
 
 // The old textures of a mesh follow its new layout: an image for new uv is made from images for old
@@ -104,5 +106,13 @@ ABFLAT_API Status bake(const BakeInput& input, const BakeOptions& options, const
 /// The side of a square image that has as many texels to the surface as the old textures have: the
 /// median over the new layout's area. 0 if no triangle with a texture has area in both layouts.
 ABFLAT_API double bakeResolution(const BakeInput& input);
+
+/// The power of two that is nearest to it, as abflat chooses the side of a new image. Without a
+/// texture it is the side that the layout was packed for, or 1024 if `resolution` is 0. In any case
+/// it is at least 16 and at most 8192.
+ABFLAT_API int bakeSide(const BakeInput& input, int resolution);
+
+/// The report of the program's bake as JSON.
+ABFLAT_API std::string bakeReportJson(const BakeReport& report);
 
 }  // namespace abflat

@@ -47,6 +47,14 @@ ABFLAT_API Result<GltfModel> readGltf(std::string_view bytes, const std::string&
 /// many vertices are no longer used.
 ABFLAT_API std::size_t joinVertices(PolygonMesh& mesh);
 
+/// New images for the layout that is written, and which of them materials use.
+struct GltfBaked {
+  std::vector<ImageFile> images;  ///< PNG, JPEG or WebP, in which case files need EXT_texture_webp
+  std::size_t baseColor = kNoImage, metallicRoughness = kNoImage, normal = kNoImage,
+              occlusion = kNoImage, emissive = kNoImage;  ///< kNoImage: as it was
+  double emissiveStrength = 1;
+};
+
 struct GltfWriteOptions {
   bool isBinary = true;      ///< .glb; otherwise .gltf with the buffer in a data URI
   std::size_t texcoord = 0;  ///< N of the TEXCOORD_N to write; other sets stay
@@ -54,6 +62,10 @@ struct GltfWriteOptions {
   /// Empty for the same folder.
   std::string pathToSource;
   std::vector<std::uint32_t> turnedFaces;  ///< to be turned, see turnFaces
+  /// Materials of the mesh are replaced by ones that use these images with the new texcoords, and
+  /// those that do not differ in more than their name become one. What nothing uses any more is
+  /// left out, unless the file has an extension that may refer to it. Null for none.
+  const GltfBaked* baked = nullptr;
 };
 
 /// The file with texcoords `uv` (v upwards) for the triangles of its mesh; `cornerUv` has the
@@ -94,7 +106,8 @@ ABFLAT_API std::vector<std::uint32_t> triangleCornersOf(const PolygonMesh& mesh)
 
 /// N of a TEXCOORD_N that can be written without disturbing any texture: 0 if no texture of the
 /// triangles samples set 0, otherwise the first set that no primitive has and no texture samples.
-ABFLAT_API std::size_t freeTexcoord(const gltf::Source& source);
+/// With `isBaked`, textures that GltfBaked replaces do not count.
+ABFLAT_API std::size_t freeTexcoord(const gltf::Source& source, bool isBaked = false);
 
 /// Says why new texcoords are in a set above 0, and what else to do.
 ABFLAT_API std::string texcoordNote(const gltf::Source& source, std::size_t texcoord);

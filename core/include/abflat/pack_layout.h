@@ -6,6 +6,7 @@
 
 #include "abflat/export.h"
 #include "abflat/generated/mesh_format.h"
+#include "abflat/generated/names.h"
 #include "abflat/generated/pack_options.h"
 #include "abflat/generated/pack_report.h"
 #include "abflat/mesh.h"
@@ -29,15 +30,28 @@ struct PackLayoutResult {
   std::vector<std::uint32_t> cornerUv;         ///< per face corner, or kNoTexcoord
   std::vector<std::uint32_t> islandOfFace;     ///< or kNoIsland
   std::vector<std::uint32_t> triangleCorners;  ///< 3 face corners per triangle, by face
+  std::vector<std::uint8_t> faults;            ///< per triangle, a sum of the bits of UvFault
   PackReport report;  ///< the caller fills in path, the read and write times, and the total
 };
 
 /// Packs the layout that a mesh has: its uv islands are moved, turned and scaled, and otherwise
 /// stay as they are. Islands that lie on each other, by half of the smaller one or more, move
-/// together. Any layout will do: islands may be mirrored, overlap themselves, or lie anywhere.
+/// together. Any layout will do: islands may be mirrored, overlap themselves, or lie anywhere. With
+/// `keepPlaces` nothing moves, and the layout is only judged.
 /// Errors: InvalidOption, InvalidMesh, EmptyMesh, NoTexcoords, AtlasTooSmall, Aborted.
 ABFLAT_API Result<PackLayoutResult> packLayout(const PolygonMesh& mesh,
                                                const PackLayoutOptions& options);
+
+/// The layout with one texcoord per vertex, as graphics cards take it.
+struct PackedVertices {
+  /// Vertex of the mesh that each repeats: all of them in their order, then a copy for every
+  /// further texcoord that a vertex has.
+  std::vector<std::uint32_t> vertexMap;
+  std::vector<double> uv;                       ///< 2 per vertex; 0 where no face has any
+  std::vector<std::uint32_t> triangles;         ///< 3 vertices per triangle, by face
+  std::vector<std::uint32_t> islandOfTriangle;  ///< or kNoIsland
+};
+ABFLAT_API PackedVertices packedVertices(const PolygonMesh& mesh, const PackLayoutResult& result);
 
 /// The report as JSON text, indented by two spaces; keys as in docs/report.md.
 ABFLAT_API std::string packReportJson(const PackReport& report);

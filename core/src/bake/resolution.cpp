@@ -12,6 +12,8 @@ double uvArea(const std::vector<double>& uv, std::size_t t) {
   return std::abs((p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0])) / 2;
 }
 
+constexpr int kLeastSide = 16, kUsualSide = 1024, kMostSide = 8192;
+
 }  // namespace
 
 double bakeResolution(const BakeInput& input) {
@@ -42,6 +44,14 @@ double bakeResolution(const BakeInput& input) {
     if (2 * below >= sum) return share.side;
   }
   return 0;
+}
+
+int bakeSide(const BakeInput& input, int resolution) {
+  const double side = bakeResolution(input);
+  if (!(side > 0))
+    return resolution == 0 ? kUsualSide : std::clamp(resolution, kLeastSide, kMostSide);
+  const double nearest = std::exp2(std::round(std::log2(side)));
+  return static_cast<int>(std::clamp<double>(nearest, kLeastSide, kMostSide));
 }
 
 }  // namespace abflat

@@ -190,6 +190,12 @@ void TaskGroup::runAll() {
   }
 }
 
+unsigned usefulThreads(int wanted, std::size_t faces) {
+  constexpr std::size_t kFacesPerThread = 2000;
+  const std::size_t most = wanted > 0 ? static_cast<std::size_t>(wanted) : processors();
+  return static_cast<unsigned>(std::clamp<std::size_t>(faces / kFacesPerThread, 1, most));
+}
+
 void parallelFor(ThreadPool* pool, std::size_t count,
                  const std::function<void(std::size_t)>& work) {
 #if ABFLAT_THREADS

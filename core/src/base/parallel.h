@@ -20,6 +20,9 @@ namespace abflat {
 /// Processors that threads can run on; 1 in a build without threads.
 unsigned processors();
 
+/// Fewer than asked for if the mesh is so small that starting a thread takes longer than it saves.
+unsigned usefulThreads(int wanted, std::size_t faces);
+
 class TaskGroup;
 
 /// Threads that wait for tasks. A build without threads only has the caller's.

@@ -11,7 +11,7 @@
 #include "boundary/blamed_arc.h"
 #include "layout/pose.h"
 #include "mesh/triangle_geometry.h"
-#include "refine/outline_shape.h"
+#include "refine/straight_parts.h"
 
 namespace abflat {
 namespace {
@@ -27,7 +27,7 @@ constexpr double kMostOfHeight = 0.2;
 class Outline {
  public:
   Outline(const DiskChart& chart, const std::vector<double>& uv, const StraightPlaces& straight)
-      : chart_(chart), uv_(uv), shape_(chart, {straight, {}, 0}), shift_(chart.boundary.size(), 0) {
+      : chart_(chart), uv_(uv), straight_(chart, straight), shift_(chart.boundary.size(), 0) {
     for (const BoundaryIndex k : shift_.ids()) movedBy_.push_back({k, k});
     if (!straight.empty()) findEnds(straight);
     findNormals();
@@ -65,7 +65,7 @@ class Outline {
       for (std::size_t d = 0; d < 2; ++d)
         out[2 * chart_.boundaryVertex(k) + d] += shift_[k] * normal_[k][d];
     }
-    shape_.straighten(out);
+    straight_.straighten(out);
     return out;
   }
 
@@ -145,7 +145,7 @@ class Outline {
 
   const DiskChart& chart_;
   const std::vector<double>& uv_;
-  const OutlineShape shape_;
+  const StraightParts straight_;
   IdVector<BoundaryIndex, Ends> movedBy_;
   IdVector<BoundaryIndex, Point2> normal_;
   IdVector<BoundaryIndex, double> room_, shift_;

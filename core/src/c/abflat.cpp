@@ -1,23 +1,33 @@
 #include "abflat/abflat.h"
 
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <new>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "abflat/option_text.h"
+#include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
 #include "abflat/version.h"
 #include "base/guarded.h"
+#include "mesh/input_mesh.h"
 
 struct abflat_options {
-  abflat::UnwrapOptions values;
+  abflat::UnwrapOptions unwrap;
+  abflat::PackLayoutOptions pack;
   std::string message;
 };
 
 struct abflat_result {
-  abflat::UnwrapResult unwrapped;
-  std::vector<double> uv;  ///< 2 per output vertex
+  std::vector<std::uint32_t> vertices;           ///< of the input, per output vertex
+  std::vector<double> uv;                        ///< 2 per output vertex
+  std::vector<std::uint32_t> triangles, charts;  ///< 3 output vertices and 1 chart each
+  bool isValid = false;
   std::string message, report;
 };
 
@@ -33,22 +43,31 @@ Status notAValue(const OptionInfo& option, const std::string& text) {
           std::string(option.name) + " cannot be \"" + text + "\"; it is " + option.range};
 }
 
-Status set(UnwrapOptions& options, const std::string& name, const std::string& text) {
-  if (name == "seams" || name == "--seams") {
-    Result<SeamSources> seams = parseSeams(text);
-    if (seams.ok()) options.seams = std::move(seams.value());
-    return seams.status();
-  }
+/// Null: there is none of that name, and `options` have not changed.
+template <class Options>
+std::optional<Status> setNamed(Options& options, const std::string& name, const std::string& text) {
   const OptionInfos infos = optionInfos(options);
   for (int i = 0; i < infos.count; ++i) {
     if (name != infos[i].name && name != infos[i].flag) continue;
     double value = 0;
     bool isWord = false;
     if (readOption(options, i, text, value, isWord) && setOption(options, i, value, isWord))
-      return {};
+      return Status{};
     return notAValue(infos[i], text);
   }
-  return unknown(name);
+  return std::nullopt;
+}
+
+Status set(abflat_options& options, const std::string& name, const std::string& text) {
+  if (name == "seams" || name == "--seams") {
+    Result<SeamSources> seams = parseSeams(text);
+    if (seams.ok()) options.unwrap.seams = std::move(seams.value());
+    return seams.status();
+  }
+  // What both have has the same values in both.
+  const std::optional<Status> forUnwrap = setNamed(options.unwrap, name, text);
+  const std::optional<Status> forPack = setNamed(options.pack, name, text);
+  return forUnwrap ? *forUnwrap : forPack ? *forPack : unknown(name);
 }
 
 PointView pointsOf(const abflat_mesh& mesh) {
@@ -81,17 +100,78 @@ Status checkIndexSize(std::size_t size) {
           "index_size is " + std::to_string(size) + "; it must be 2, 4, 8, or 0 for 4"};
 }
 
+/// The mesh in memory of its own, with the texcoords of its vertices.
+PolygonMesh withTexcoords(const abflat_mesh& mesh) {
+  PolygonMesh out = InputMesh(MeshView{pointsOf(mesh), trianglesOf(mesh)}).copy();
+  if (mesh.texcoords == nullptr) return out;
+  const auto copy = [&](const auto* first) {
+    const std::size_t stride = mesh.texcoord_stride != 0 ? mesh.texcoord_stride : 2 * sizeof *first;
+    for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
+      std::array<std::decay_t<decltype(*first)>, 2> uv;
+      std::memcpy(uv.data(), reinterpret_cast<const char*>(first) + v * stride, sizeof uv);
+      out.texcoords.insert(out.texcoords.end(), {uv[0], uv[1]});
+    }
+  };
+  out.texcoords.reserve(2 * mesh.vertex_count);
+  if (mesh.texcoords_are_floats != 0)
+    copy(static_cast<const float*>(mesh.texcoords));
+  else
+    copy(static_cast<const double*>(mesh.texcoords));
+  out.faceTexcoords.reserve(out.faceVertices.size());
+  for (const std::uint32_t v : out.faceVertices)
+    out.faceTexcoords.push_back(std::isnan(out.texcoords[2 * std::size_t{v}]) ? kNoTexcoord : v);
+  return out;
+}
+
 Status unwrapInto(abflat_result& out, const abflat_mesh& mesh, const UnwrapOptions& options) {
-  if (Status s = checkIndexSize(mesh.index_size); !s.ok()) return s;
   Result<UnwrapResult> result = unwrap(MeshView{pointsOf(mesh), trianglesOf(mesh)}, options);
   if (!result.ok()) return result.status();
-  out.unwrapped = std::move(result.value());
-  const UnwrapResult& r = out.unwrapped;
+  UnwrapResult& r = result.value();
   out.uv.reserve(2 * r.vertexUv.size());
   for (const std::uint32_t i : r.vertexUv)
     out.uv.insert(out.uv.end(), {r.uv[2 * std::size_t{i}], r.uv[2 * std::size_t{i} + 1]});
+  out.vertices = std::move(r.vertexMap);
+  out.triangles = std::move(r.triangles);
+  out.charts = std::move(r.chartOfTriangle);
+  out.isValid = r.report.valid;
   out.report = unwrapReportJson(r.report);
   return {};
+}
+
+Status packInto(abflat_result& out, const abflat_mesh& mesh, const PackLayoutOptions& options) {
+  if (Status s = InputMesh(MeshView{pointsOf(mesh), trianglesOf(mesh)}).validate(); !s.ok())
+    return s;
+  const PolygonMesh polygons = withTexcoords(mesh);
+  Result<PackLayoutResult> result = packLayout(polygons, options);
+  if (!result.ok()) return result.status();
+  PackedVertices vertices = packedVertices(polygons, result.value());
+  out.vertices = std::move(vertices.vertexMap);
+  out.uv = std::move(vertices.uv);
+  out.triangles = std::move(vertices.triangles);
+  out.charts = std::move(vertices.islandOfTriangle);
+  out.isValid = result.value().report.valid;
+  out.report = packReportJson(result.value().report);
+  return {};
+}
+
+/// A call that fills a result, which `run` does with the options that it is given. Copying them
+/// takes memory, too.
+template <class Options, class Run>
+int call(const abflat_mesh& mesh, const Options* given, abflat_progress progress, void* user,
+         abflat_result** result, const Run& run) {
+  *result = new (std::nothrow) abflat_result;
+  if (*result == nullptr) return static_cast<int>(StatusCode::OutOfMemory);
+  Status status = guarded([&]() -> Status {
+    if (Status s = checkIndexSize(mesh.index_size); !s.ok()) return s;
+    Options options = given != nullptr ? *given : Options();
+    if (progress != nullptr)
+      options.progress = [=](const Progress& now) {
+        return progress(nameOf(now), now.fraction, user) != 0;
+      };
+    return run(**result, mesh, options);
+  });
+  (*result)->message = std::move(status.message);
+  return static_cast<int>(status.code);
 }
 
 template <class T>
@@ -117,7 +197,7 @@ abflat_options* abflat_new_options(void) { return new (std::nothrow) abflat_opti
 void abflat_free_options(abflat_options* options) { delete options; }
 
 int abflat_set_option(abflat_options* options, const char* name, const char* value) {
-  Status status = abflat::guarded([&] { return abflat::set(options->values, name, value); });
+  Status status = abflat::guarded([&] { return abflat::set(*options, name, value); });
   options->message = std::move(status.message);
   return static_cast<int>(status.code);
 }
@@ -128,30 +208,26 @@ const char* abflat_option_message(const abflat_options* options) {
 
 int abflat_unwrap(const abflat_mesh* mesh, const abflat_options* options, abflat_progress progress,
                   void* user, abflat_result** result) {
-  *result = new (std::nothrow) abflat_result;
-  if (*result == nullptr) return static_cast<int>(StatusCode::OutOfMemory);
-  Status status = abflat::guarded([&] {
-    abflat::UnwrapOptions values = options != nullptr ? options->values : abflat::UnwrapOptions();
-    if (progress != nullptr)
-      values.progress = [=](const abflat::Progress& now) {
-        return progress(nameOf(now), now.fraction, user) != 0;
-      };
-    return abflat::unwrapInto(**result, *mesh, values);
-  });
-  (*result)->message = std::move(status.message);
-  return static_cast<int>(status.code);
+  return abflat::call(*mesh, options != nullptr ? &options->unwrap : nullptr, progress, user,
+                      result, abflat::unwrapInto);
+}
+
+int abflat_pack(const abflat_mesh* mesh, const abflat_options* options, abflat_progress progress,
+                void* user, abflat_result** result) {
+  return abflat::call(*mesh, options != nullptr ? &options->pack : nullptr, progress, user, result,
+                      abflat::packInto);
 }
 
 void abflat_free_result(abflat_result* result) { delete result; }
 
 const char* abflat_message(const abflat_result* result) { return result->message.c_str(); }
 
-int abflat_is_valid(const abflat_result* result) { return result->unwrapped.report.valid ? 1 : 0; }
+int abflat_is_valid(const abflat_result* result) { return result->isValid ? 1 : 0; }
 
 const char* abflat_report(const abflat_result* result) { return result->report.c_str(); }
 
 const std::uint32_t* abflat_vertices(const abflat_result* result, std::size_t* count) {
-  return abflat::array(result->unwrapped.vertexMap, 1, count);
+  return abflat::array(result->vertices, 1, count);
 }
 
 const double* abflat_uv(const abflat_result* result, std::size_t* count) {
@@ -159,9 +235,9 @@ const double* abflat_uv(const abflat_result* result, std::size_t* count) {
 }
 
 const std::uint32_t* abflat_triangles(const abflat_result* result, std::size_t* count) {
-  return abflat::array(result->unwrapped.triangles, 3, count);
+  return abflat::array(result->triangles, 3, count);
 }
 
 const std::uint32_t* abflat_charts(const abflat_result* result, std::size_t* count) {
-  return abflat::array(result->unwrapped.chartOfTriangle, 1, count);
+  return abflat::array(result->charts, 1, count);
 }

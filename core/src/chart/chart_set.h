@@ -47,6 +47,9 @@ class ChartSet {
   TexcoordId texcoord(ChartId i, ChartVertex v) const { return TexcoordId(parts_[i].vertex + v); }
 
   IdVector<SurfaceTriangle, ChartId> ofTriangle;
+  /// How many times as far above 1 as elsewhere a chart's stretch may be; empty: once.
+  IdVector<ChartId, double> leeway;
+  double leewayOf(ChartId i) const { return leeway.empty() ? 1 : leeway[i]; }
   /// As in DiskChart, per vertex of the mesh; empty if unknown.
   IdVector<InputVertex, std::uint32_t> eliminationRank;
 

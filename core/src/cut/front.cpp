@@ -1,12 +1,13 @@
 #include "cut/front.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/constants.h"
-#include "base/few_bits.h"
 #include "base/smooth_step.h"
 #include "cut/mesh_parts.h"
-#include "mesh/triangle_geometry.h"
+#include "cut/normals_around.h"
+#include "mesh/vec3_sum.h"
 
 namespace abflat {
 namespace {
@@ -27,6 +28,17 @@ bool hasFront(const Bends& b) {
          b.concave > kLeastConcave * b.all && norm(b.open) > kLeastOneWay * b.concave;
 }
 
+/// The way a front faces. Figures look ahead; in one that lies on its back, hollows open upwards,
+/// and towards its feet as below its chin. In a bowl or a landscape they open upwards only.
+Vec3 ahead(const Vec3& open, std::size_t upAxis) {
+  constexpr double kLies = 1.3, kOnlyUp = 3;
+  Vec3 level = open, up{};
+  level[upAxis] = 0;
+  up[upAxis] = open[upAxis];
+  const double ratio = open[upAxis] / norm(level);
+  return ratio > kLies && ratio < kOnlyUp ? up : level;
+}
+
 class FrontFinder {
  public:
   FrontFinder(const SeamMesh& mesh, const IdVector<SurfaceCorner, double>& bend)
@@ -37,7 +49,10 @@ class FrontFinder {
         ofComponent_(mesh.triangleCount()) {}
 
   IdVector<SurfaceCorner, double> find(std::size_t upAxis) {
-    addBends(upAxis);
+    addBends();
+    for (Bends& b : ofComponent_) b.open = ahead(b.open, upAxis);
+    if (std::none_of(ofComponent_.begin(), ofComponent_.end(), hasFront)) return {};
+    const NormalsAround around(mesh_);
     IdVector<SurfaceCorner, double> out;
     for (const SurfaceCorner h : mesh_.corners()) {
       const SurfaceCorner o = mesh_.twin[h];
@@ -46,8 +61,9 @@ class FrontFinder {
       if (!hasFront(b)) continue;
       out.resize(mesh_.twin.size(), 0);
       constexpr double kBeside = 0.3, kAhead = 0.7;
-      out[h] = out[o] =
-          inFewBits(smoothStep(kBeside, kAhead, dot(facing(h), b.open) / norm(b.open)));
+      constexpr double kSteps = 1024;  // so that rounding hardly ever changes one
+      const double share = smoothStep(kBeside, kAhead, dot(around.at(h), b.open) / norm(b.open));
+      out[h] = out[o] = std::floor(kSteps * share + 0.5) / kSteps;
     }
     return out;
   }
@@ -55,7 +71,7 @@ class FrontFinder {
  private:
   Bends& bendsAt(SurfaceCorner h) { return ofComponent_[component_[triangleOf(h)]]; }
 
-  void addBends(std::size_t upAxis) {
+  void addBends() {
     constexpr double kSharp = 35 * kPi / 180;
     for (const SurfaceCorner h : mesh_.corners()) {
       Bends& b = bendsAt(h);
@@ -66,18 +82,13 @@ class FrontFinder {
       if (std::abs(bend_[h]) > kSharp) b.sharp += turn;
       if (!(bend_[h] < 0)) continue;
       b.concave += turn;
-      const Vec3 n = facing(h);
-      for (std::size_t d = 0; d < 3; ++d)
-        if (d != upAxis) b.open[d] += turn * n[d];
+      b.open = sum(b.open, facing(h), turn);
     }
   }
 
   /// The mean direction of the two triangles of an edge.
   Vec3 facing(SurfaceCorner h) const {
-    const Vec3 &a = normal_[triangleOf(h)], &b = normal_[triangleOf(mesh_.twin[h])];
-    const Vec3 sum{a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-    const double length = norm(sum);
-    return length > 0 ? Vec3{sum[0] / length, sum[1] / length, sum[2] / length} : sum;
+    return unit(sum(normal_[triangleOf(h)], normal_[triangleOf(mesh_.twin[h])]));
   }
 
   const SeamMesh& mesh_;
@@ -103,6 +114,18 @@ double shareInFront(const SeamMesh& mesh) {
       if (mesh.dearnessAt(h) > 1) inFront += mesh.area[f] / 3;
   }
   return all > 0 ? inFront / all : 0;
+}
+
+IdVector<SurfaceTriangle, double> trianglesInFront(const SeamMesh& mesh) {
+  if (mesh.dearness.empty()) return {};
+  IdVector<SurfaceTriangle, double> out;
+  for (const SurfaceTriangle f : mesh.triangles()) {
+    double share = 0;
+    for (const SurfaceCorner h : cornersOf(f))
+      share += (mesh.dearnessAt(h) - 1) / (kDearInFront - 1) / 3;
+    out.push_back(share);
+  }
+  return out;
 }
 
 }  // namespace abflat

@@ -12,6 +12,9 @@ IdVector<SurfaceCorner, double> findFront(const SeamMesh& mesh,
                                           const IdVector<SurfaceCorner, double>& bend,
                                           std::size_t upAxis);
 
+/// How far each triangle is in the front, from 0 to 1, by what seams cost there. Empty: not at all.
+IdVector<SurfaceTriangle, double> trianglesInFront(const SeamMesh& mesh);
+
 /// Share of the surface where seams are dearer because it is in a front.
 double shareInFront(const SeamMesh& mesh);
 

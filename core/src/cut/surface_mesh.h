@@ -48,6 +48,10 @@ struct SeamMesh {
   /// The hole that a triangle fills, none if it is part of the surface; empty if no hole is filled.
   /// Triangles that fill holes come last and have no area.
   IdVector<SurfaceTriangle, HoleId> hole;
+  /// Where stretch is better than a seam: how far each triangle is in the front of a figure, from 0
+  /// to 1. Empty: nowhere. Triangles that fill holes may be missing.
+  IdVector<SurfaceTriangle, double> front;
+  double frontLeeway = 1;  ///< by how much less stretch counts there
   /// The ratio by which flattening stretched a triangle's chart more than the log-scale predicts;
   /// empty if nothing has been flattened.
   IdVector<SurfaceTriangle, double> excess;
@@ -63,6 +67,8 @@ struct SeamMesh {
   SurfaceVertex tail(SurfaceCorner h) const { return vertexOfCorner[h]; }
   SurfaceVertex head(SurfaceCorner h) const { return vertexOfCorner[nextCorner(h)]; }
   double dearnessAt(SurfaceCorner h) const { return h < dearness.size() ? dearness[h] : 1; }
+  double frontAt(SurfaceTriangle f) const { return f < front.size() ? front[f] : 0; }
+  double leewayAt(SurfaceTriangle f) const { return 1 + (frontLeeway - 1) * frontAt(f); }
   /// What a seam would cost if people looked elsewhere; more than its length in a flat face.
   double plainCost(SurfaceCorner h) const { return cost[h] / dearnessAt(h); }
   bool isFilling(SurfaceTriangle f) const { return !hole.empty() && hole[f].exists(); }

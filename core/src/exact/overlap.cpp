@@ -49,12 +49,14 @@ class Rows {
       sum += b.high[1] - b.low[1];
     }
     const auto n = static_cast<double>(boxes.size());
+    if (!std::isfinite(sum)) return;  // one row for what is too large to count in rows
     count_ = sum > 0 ? std::clamp(std::floor((high - low_) / sum * n), 1.0, n) : 1;
     perUnit_ = high > low_ ? count_ / (high - low_) : 0;
   }
 
   std::size_t count() const { return static_cast<std::size_t>(count_); }
   std::size_t at(double y) const {
+    if (count_ < 2) return 0;
     return static_cast<std::size_t>(std::clamp((y - low_) * perUnit_, 0.0, count_ - 1));
   }
 
@@ -97,6 +99,30 @@ void sweep(const std::vector<double>& uv, const IsOut& isOut, const MayOverlap& 
     }
 }
 
+/// Turns triangles counter-clockwise.
+void turnAll(std::vector<double>& uv) {
+  for (double* t = uv.data(); t != uv.data() + uv.size(); t += 6)
+    if (orientation(t, t + 2, t + 4) < 0) std::swap_ranges(t + 2, t + 4, t + 4);
+}
+
+/// Per triangle, the first one in the same place; `uv` is counter-clockwise.
+std::vector<std::uint32_t> firstCopies(const std::vector<double>& uv) {
+  using Points = std::array<std::array<double, 2>, 3>;
+  std::vector<Points> points(uv.size() / 6);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) points[i][k] = {uv[6 * i + 2 * k], uv[6 * i + 2 * k + 1]};
+    std::sort(points[i].begin(), points[i].end());
+  }
+  const std::vector<std::uint32_t> order = stableOrder(
+      points.size(), [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
+  std::vector<std::uint32_t> out(points.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool isCopy = k > 0 && points[order[k]] == points[order[k - 1]];
+    out[order[k]] = isCopy ? out[order[k - 1]] : order[k];
+  }
+  return out;
+}
+
 constexpr auto kNoneIsOut = [](std::uint32_t) { return false; };
 constexpr auto kNoPair = [](std::uint32_t, std::uint32_t) { return false; };
 
@@ -113,13 +139,30 @@ std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double
 
 std::optional<std::array<std::uint32_t, 2>> findOverlapBetween(
     std::vector<double> uv, const std::vector<std::uint32_t>& group) {
-  for (double* t = uv.data(); t != uv.data() + uv.size(); t += 6)
-    if (orientation(t, t + 2, t + 4) < 0) std::swap_ranges(t + 2, t + 4, t + 4);
+  turnAll(uv);
   std::optional<std::array<std::uint32_t, 2>> out;
   const auto areOneGroup = [&](std::uint32_t i, std::uint32_t j) { return group[i] == group[j]; };
   sweep(uv, kNoneIsOut, areOneGroup, [&](std::uint32_t i, std::uint32_t j) {
     out = {std::min(i, j), std::max(i, j)};
     return false;
+  });
+  return out;
+}
+
+std::vector<std::uint8_t> overlappingTriangles(std::vector<double> uv) {
+  turnAll(uv);
+  // Thousands of copies may lie on each other: the first one stands for them.
+  const std::vector<std::uint32_t> first = firstCopies(uv);
+  std::vector<std::uint8_t> out(first.size(), 0);
+  for (std::uint32_t i = 0; i < first.size(); ++i) {
+    const double* t = &uv[6 * std::size_t{i}];
+    if (first[i] != i && orientation(t, t + 2, t + 4) > 0) out[i] = out[first[i]] = 1;
+  }
+  const auto isCopy = [&](std::uint32_t i) { return first[i] != i; };
+  const auto areKnown = [&](std::uint32_t i, std::uint32_t j) { return out[i] && out[j]; };
+  sweep(uv, isCopy, areKnown, [&](std::uint32_t i, std::uint32_t j) {
+    out[i] = out[j] = 1;
+    return true;
   });
   return out;
 }

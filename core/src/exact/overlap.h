@@ -16,6 +16,10 @@ std::optional<std::array<std::uint32_t, 2>> findOverlap(const std::vector<double
 std::optional<std::array<std::uint32_t, 2>> findOverlapBetween(
     std::vector<double> uv, const std::vector<std::uint32_t>& group);
 
+/// Per triangle, whether it has more than boundary in common with another one, whichever way round
+/// they are. One without area has not.
+std::vector<std::uint8_t> overlappingTriangles(std::vector<double> uv);
+
 /// Leaves out groups of triangles until nothing that is left overlaps as above: those that overlap
 /// themselves or a group that stays, of a smaller number. `group` has one per triangle, below
 /// `groups`. Returns, per group, the one that it overlaps, or kNoOverlap where it stays.

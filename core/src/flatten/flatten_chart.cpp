@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
 #include "boundary/delaunay_step.h"
 #include "check/delaunay.h"
 #include "mesh/triangle_geometry.h"
@@ -39,12 +38,6 @@ std::uint64_t allowedBytes(double megabytes) {
   constexpr double kMost = 1e12;
   const double allowed = megabytes == kAutoMemory ? kAutoMemoryMegabytes : megabytes;
   return static_cast<std::uint64_t>(std::min(allowed, kMost) * kMegabyte);
-}
-
-unsigned usefulThreads(int wanted, std::size_t faces) {
-  constexpr std::size_t kFacesPerThread = 2000;
-  const std::size_t most = wanted > 0 ? static_cast<std::size_t>(wanted) : processors();
-  return static_cast<unsigned>(std::clamp<std::size_t>(faces / kFacesPerThread, 1, most));
 }
 
 OutlineGoal automaticGoal(const BoundaryBounds& t) { return {t, true, Untangle::Best, false}; }

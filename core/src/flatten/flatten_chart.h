@@ -12,9 +12,6 @@ namespace abflat {
 /// `FlattenOptions::memory` in bytes.
 std::uint64_t allowedBytes(double megabytes);
 
-/// Fewer than asked for if the mesh is so small that starting a thread takes longer than it saves.
-unsigned usefulThreads(int wanted, std::size_t faces);
-
 /// The goal for t = auto: bounds are free, and the rest follows from that.
 OutlineGoal automaticGoal(const BoundaryBounds& t);
 

@@ -3,18 +3,14 @@
 #include <cmath>
 
 #include "exact/overlap.h"
-#include "islands/island_triangles.h"
 
 namespace abflat {
-namespace {
 
 bool isInTile(const UvBox& box, std::uint32_t tiles) {
   const double column = std::floor(box.low[0]), row = std::floor(box.low[1]);
   return column >= 0 && column < 10 && row >= 0 && 10 * row + column < tiles &&
          box.high[0] <= column + 1 && box.high[1] <= row + 1;
 }
-
-}  // namespace
 
 std::string problemOf(const PlacedTriangles& placed, std::uint32_t tiles) {
   std::vector<UvBox> boxes;

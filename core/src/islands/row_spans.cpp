@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/stable_order.h"
+
 namespace abflat {
 namespace {
 
@@ -44,7 +46,7 @@ void RowSpans::add(const double* t) {
 }
 
 void RowSpans::merge() {
-  std::sort(spans_.begin(), spans_.end(), [](const Span& a, const Span& b) {
+  sortStably(spans_, [](const Span& a, const Span& b) {
     return std::tie(a.row, a.from, a.to) < std::tie(b.row, b.from, b.to);
   });
   std::size_t kept = 0;

@@ -63,6 +63,21 @@ std::vector<IslandStack> listStacks(const IslandTriangles& triangles,
   return out;
 }
 
+void setFactors(IslandSizes sizes, std::vector<IslandStack>& stacks) {
+  double onSurface = 0, inUv = 0;
+  for (const IslandStack& stack : stacks) {
+    onSurface += stack.surfaceArea;
+    inUv += stack.uvArea;
+  }
+  const double mean = areaRatio(onSurface, inUv);
+  for (IslandStack& stack : stacks) {
+    const double own = areaRatio(stack.surfaceArea, stack.uvArea);
+    const bool isEven = sizes == IslandSizes::Even && own > 0;
+    const double area = isEven ? own : mean;
+    stack.factor = area > 0 ? std::sqrt(area) : 1;
+  }
+}
+
 PackShape shapeOf(const IslandStack& stack, const IslandTriangles& triangles) {
   std::vector<std::array<double, 2>> points;  // of corners
   for (const std::uint32_t i : stack.islands)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "abflat/generated/pack_options.h"
 #include "islands/island_triangles.h"
 #include "pack/pack.h"
 
@@ -25,6 +26,12 @@ struct IslandStack {
 std::vector<IslandStack> listStacks(const IslandTriangles& triangles,
                                     const std::vector<std::uint32_t>& first,
                                     const std::vector<double>& surfaceArea);
+
+/// a / b, or 0 unless both are positive.
+inline double areaRatio(double a, double b) { return a > 0 && b > 0 ? a / b : 0; }
+
+/// Gives shapes about the area of their surface, so that a texel density can be asked for.
+void setFactors(IslandSizes sizes, std::vector<IslandStack>& stacks);
 
 /// Its triangles around its middle, all counter-clockwise, so that what is mirrored or folded
 /// covers as much as anything else.

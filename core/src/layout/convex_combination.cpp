@@ -8,18 +8,14 @@
 #include "base/portable_math.h"
 #include "mesh/triangle_geometry.h"
 #include "solve/general_solve.h"
-#include "solve/sparse_assembly.h"
 #include "solve/symmetric_solve.h"
 
 namespace abflat {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
-
 struct System {
   IdVector<ChartVertex, int> unknown;  ///< row of each interior vertex; -1 on the boundary
-  Matrix matrix;
-  Eigen::MatrixXd rhs;  ///< columns u and v
+  SparseSystem equations;              ///< for u and for v
 };
 
 System makeSystem(const DiskChart& chart, const IdVector<ChartCorner, double>& weight,
@@ -30,8 +26,10 @@ System makeSystem(const DiskChart& chart, const IdVector<ChartCorner, double>& w
   int n = 0;
   for (int& u : s.unknown)
     if (u == 0) u = n++;
-  SparseEntries entries;
-  s.rhs = Eigen::MatrixXd::Zero(n, 2);
+  s.equations.size = n;
+  const auto rows = static_cast<std::size_t>(n);
+  s.equations.b.assign(2 * rows, 0);
+  SparseEntries& entries = s.equations.entries;
   for (const ChartCorner h : chart.corners()) {
     // Every interior vertex begins one half-edge to each neighbour.
     const ChartVertex b = chart.vertexOfCorner[nextCorner(h)];
@@ -41,16 +39,10 @@ System makeSystem(const DiskChart& chart, const IdVector<ChartCorner, double>& w
     if (s.unknown[b] >= 0)
       entries.emplace_back(row, s.unknown[b], -weight[h]);
     else
-      for (Eigen::Index d = 0; d < 2; ++d)
-        s.rhs(row, d) += weight[h] * uv[2 * b + static_cast<std::size_t>(d)];
+      for (std::size_t d = 0; d < 2; ++d)
+        s.equations.b[d * rows + static_cast<std::size_t>(row)] += weight[h] * uv[2 * b + d];
   }
-  s.matrix = assembled(n, entries);
   return s;
-}
-
-/// Empty matrix when the factorisation fails.
-Eigen::MatrixXd solve(const System& s, bool isSymmetric) {
-  return isSymmetric ? solveSymmetric(s.matrix, s.rhs) : solveGeneral(s.matrix, s.rhs);
 }
 
 /// Length of each boundary edge, none much shorter than the mean.
@@ -132,9 +124,12 @@ Embedding embedByWeights(const DiskChart& chart, const HalfEdgeWeights& weights,
                          std::vector<double> uv) {
   Embedding out{std::move(uv), {}};
   const System s = makeSystem(chart, weights.weight, out.uv);
-  if (s.rhs.rows() == 0) return out;
-  const Eigen::MatrixXd solved = solve(s, weights.isSymmetric);
-  if (solved.rows() == 0 || !solved.allFinite()) {
+  const auto rows = static_cast<std::size_t>(s.equations.size);
+  if (rows == 0) return out;
+  const std::vector<double> solved =
+      weights.isSymmetric ? solveSymmetric(s.equations) : solveGeneral(s.equations);
+  if (solved.empty() ||
+      !std::all_of(solved.begin(), solved.end(), [](double x) { return std::isfinite(x); })) {
     out.problem =
         "the linear system for the interior vertices cannot be solved: its weights "
         "differ too much in size, or cancel";
@@ -142,7 +137,9 @@ Embedding embedByWeights(const DiskChart& chart, const HalfEdgeWeights& weights,
   }
   for (const ChartVertex v : chart.vertices())
     if (const int row = s.unknown[v]; row >= 0)
-      setPoint(out.uv, v, {solved(row, 0), solved(row, 1)});
+      setPoint(
+          out.uv, v,
+          {solved[static_cast<std::size_t>(row)], solved[rows + static_cast<std::size_t>(row)]});
   return out;
 }
 

@@ -64,9 +64,16 @@ Status checkOptions(const PackOptions& o) {
     return invalid("the resolution is " + text(o.resolution) + "; it must be from 1 to " +
                    text(kMostResolution) + " texels");
   if (o.padding < 0) return invalid("the padding is " + text(o.padding) + "; it must be 0 or more");
-  if (o.padding >= o.resolution || 2 * ((o.padding + 1) / 2) >= o.resolution)
-    return invalid("a padding of " + text(o.padding) + " texels leaves no room in a tile of " +
-                   text(o.resolution) + ". Lower the padding or raise the resolution");
+  if (o.margin < 0 && o.margin != kAutoMargin)
+    return invalid("the margin is " + text(o.margin) + "; it must be 0 or more");
+  const auto noRoom = [&](const std::string& what, int texels) {
+    return invalid("a " + what + " of " + text(texels) + " texels leaves no room in a tile of " +
+                   text(o.resolution) + ". Lower the " + what + " or raise the resolution");
+  };
+  const bool isAuto = o.margin == kAutoMargin;
+  if (o.padding >= o.resolution || (isAuto && 2 * marginOf(o) >= o.resolution))
+    return noRoom("padding", o.padding);
+  if (2 * marginOf(o) >= o.resolution) return noRoom("margin", o.margin);
   if (!(o.texelDensity >= 0) || !std::isfinite(o.texelDensity))
     return invalid("the texel density must be a finite number, 0 or above");
   return {};
@@ -82,10 +89,10 @@ Status checkShapes(const std::vector<PackShape>& shapes) {
   return {};
 }
 
-/// Side of the smallest tile that holds that many single texels with their padding.
-int leastResolution(std::size_t count, int padding) {
+/// Side of the smallest tile that holds that many single texels with their padding and margin.
+int leastResolution(std::size_t count, const PackOptions& options) {
   const int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
-  return side + (side - 1) * padding + 2 * ((padding + 1) / 2);
+  return side + (side - 1) * options.padding + 2 * marginOf(options);
 }
 
 LevelPose poseOf(const PackShape& shape, const Loops& loops, const std::vector<PlanePoint>& hull) {
@@ -127,7 +134,7 @@ class Packer {
   }
 
   Status begin() {
-    grid_ = makePackGrid(options_.resolution, options_.padding, itemsOfTile());
+    grid_ = makePackGrid(options_, itemsOfTile());
     return takeFixed();
   }
 
@@ -239,12 +246,13 @@ class Packer {
   }
 
   std::string waysForTexels() const {
-    const int least = leastResolution(movable_.size(), options_.padding);
+    const int least = leastResolution(movable_.size(), options_);
     if (options_.resolution >= least) return " beside the fixed ones. Raise the resolution";
     std::vector<std::string> ways;
     if (least <= kMostResolution)
       ways.push_back("raise the resolution to " + text(least) + " or more");
     if (options_.padding > 0) ways.push_back("lower the padding");
+    if (options_.margin > 0) ways.push_back("lower the margin");
     return choiceOf(ways);
   }
 
@@ -273,9 +281,10 @@ class Packer {
 
   Status largestIsTooLarge() const {
     const double most = sideForAll(items_);
-    const double room = std::max(options_.resolution - options_.padding, 1);
+    const int around = std::max(options_.padding, 2 * options_.margin);
+    const double room = std::max(options_.resolution - around, 1);
     return doesNotFit("chart " + text(movable_[placed_.missing]) + " does not fit a tile",
-                      most * density_ + options_.padding, densityOf(room / most));
+                      most * density_ + around, densityOf(room / most));
   }
 
   Status doesNotFitOneTile() {

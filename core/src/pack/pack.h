@@ -28,9 +28,9 @@ struct PackShape {
 };
 
 struct PackOptions {
-  int resolution = 1024;  ///< texels along a side of the square tile
-  /// Free texels between charts; half of that, rounded up, to the border.
-  int padding = 2;
+  int resolution = 1024;         ///< texels along a side of the square tile
+  int padding = 2;               ///< free texels between charts
+  int margin = kAutoMargin;      ///< free texels to the edge of the tile; see marginOf
   Rotate rotate = Rotate::Auto;  ///< beyond the pose in which a chart lies level and upright
   double texelDensity = 0;       ///< texels per unit of the mesh; 0: the most that fits one tile
   double mostDensity = 0;        ///< limits it if `texelDensity` is 0; 0: no limit
@@ -45,12 +45,20 @@ struct PackOptions {
   Listener listener;  ///< once it has stopped, the status is Aborted
 };
 
+/// Free texels between charts and the edge of their tile. By default two tiles side by side keep
+/// their charts `padding` texels apart.
+template <class Options>
+int marginOf(const Options& options) {
+  return options.margin == kAutoMargin ? (options.padding + 1) / 2 : options.margin;
+}
+
 /// The options that calls have in common.
 template <class Options>
 PackOptions packOptionsOf(const Options& options) {
   PackOptions out;
   out.resolution = options.resolution;
   out.padding = options.padding;
+  out.margin = options.margin;
   out.rotate = options.rotate;
   out.texelDensity = options.texelDensity;
   out.udim = options.udim;

@@ -17,20 +17,21 @@ int divideUp(int a, int b) { return (a + b - 1) / b; }
 
 }  // namespace
 
-PackGrid makePackGrid(int resolution, int padding, std::size_t shapes) {
+PackGrid makePackGrid(const PackOptions& options, std::size_t shapes) {
   constexpr double kCellsOfShape = 64;
   constexpr double kLeastCellsOfShape = 8;
   constexpr int kMostCells = 2048, kLeastCells = 512;
+  const int resolution = options.resolution;
   PackGrid grid;
   grid.resolution = resolution;
-  grid.padding = padding;
-  grid.border = divideUp(padding, 2);
+  grid.padding = options.padding;
+  grid.margin = marginOf(options);
   grid.slack = resolution * kSlackShare;
   const double side = resolution / std::sqrt(static_cast<double>(std::max<std::size_t>(shapes, 1)));
   const int cell = std::clamp(static_cast<int>(side / kCellsOfShape),
                               divideUp(resolution, kMostCells), divideUp(resolution, kLeastCells));
   const int most =
-      std::min(static_cast<int>(side / kLeastCellsOfShape), resolution - 2 * grid.border);
+      std::min(static_cast<int>(side / kLeastCellsOfShape), resolution - 2 * grid.margin);
   grid.cell = std::max(std::min(cell, most), 1);
   return grid;
 }
@@ -51,8 +52,8 @@ PlanePoint margins(const PackGrid& grid, const Pose& pose, double texelsPerUnit)
 PlanePoint texelOrigin(const PackGrid& grid, const Pose& pose, double texelsPerUnit, int cellX,
                        int cellY) {
   const PlanePoint margin = margins(grid, pose, texelsPerUnit);
-  return {cellX * grid.cell + grid.border + margin.x - pose.minX * texelsPerUnit,
-          cellY * grid.cell + grid.border + margin.y - pose.minY * texelsPerUnit};
+  return {cellX * grid.cell + grid.margin + margin.x - pose.minX * texelsPerUnit,
+          cellY * grid.cell + grid.margin + margin.y - pose.minY * texelsPerUnit};
 }
 
 const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double texelsPerUnit,
@@ -86,8 +87,8 @@ const BitGrid& PackRaster::takenInTile(const Loops& loops, double originX, doubl
   moved_.isGroup = loops.isGroup;
   moved_.points.clear();
   for (const PlanePoint& p : loops.points)
-    moved_.points.push_back({((p.x - originX) * grid_.resolution - grid_.border) / cell,
-                             ((p.y - originY) * grid_.resolution - grid_.border) / cell});
+    moved_.points.push_back({((p.x - originX) * grid_.resolution - grid_.margin) / cell,
+                             ((p.y - originY) * grid_.resolution - grid_.margin) / cell});
   bits_.reset(grid_.cells(), grid_.cells());
   cover_.cover(moved_, (grid_.slack + grid_.padding) / cell, bits_);
   return bits_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pack/cover.h"
+#include "pack/pack.h"
 #include "pack/pose.h"
 
 namespace abflat {
@@ -9,16 +10,16 @@ namespace abflat {
 struct PackGrid {
   int resolution = 0;
   int padding = 0;
-  int border = 0;
+  int margin = 0;
   int cell = 1;      ///< side of a cell
   double slack = 0;  ///< covers the effect of rounding on coordinates
 
-  int cells() const { return (resolution - 2 * border) / cell; }
+  int cells() const { return (resolution - 2 * margin) / cell; }
 };
 
 /// Makes cells as large as possible without wasting room: they have to be small compared with the
 /// shapes.
-PackGrid makePackGrid(int resolution, int padding, std::size_t shapes);
+PackGrid makePackGrid(const PackOptions& options, std::size_t shapes);
 
 /// How many cells a length takes.
 double cellsOf(const PackGrid& grid, double texels);

@@ -15,13 +15,14 @@ constexpr double kAnyArea = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-QuickFit::QuickFit(int resolution, int padding, Rotate rotate, int cells)
-    : poses_(rotate == Rotate::None      ? 1
-             : rotate == Rotate::Quarter ? 4
-                                         : 8),
-      rotate_(rotate) {
-  grid_ = makePackGrid(resolution, padding, 1);
-  grid_.cell = std::max(std::min(resolution / cells, resolution - 2 * grid_.border), 1);
+QuickFit::QuickFit(const PackOptions& options, int cells)
+    : poses_(options.rotate == Rotate::None      ? 1
+             : options.rotate == Rotate::Quarter ? 4
+                                                 : 8),
+      rotate_(options.rotate) {
+  grid_ = makePackGrid(options, 1);
+  const int side = options.resolution;
+  grid_.cell = std::max(std::min(side / cells, side - 2 * grid_.margin), 1);
 }
 
 PackItem QuickFit::itemOf(const std::vector<PlanePoint>& outline) const {

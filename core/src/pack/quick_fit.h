@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pack/pack.h"
 #include "pack/placer.h"
 
 namespace abflat {
@@ -8,8 +9,9 @@ namespace abflat {
 /// hundred times as long to decide that.
 class QuickFit {
  public:
-  /// `cells`: along a side of the square, at least, if there are as many texels.
-  QuickFit(int resolution, int padding, Rotate rotate, int cells);
+  /// Uses resolution, padding, margin and rotation. `cells`: along a side of the square, at least,
+  /// if there are as many texels.
+  QuickFit(const PackOptions& options, int cells);
 
   /// `outline`: counter-clockwise and simple; if empty, the item takes no room.
   PackItem itemOf(const std::vector<PlanePoint>& outline) const;

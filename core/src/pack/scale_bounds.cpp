@@ -35,7 +35,7 @@ ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid
   constexpr double kFiniteScale = 1e300;
   const double longest = longestSide(items);
   if (longest == 0) return {};
-  const double side = grid.resolution - 2 * grid.border, padded = side + grid.padding;
+  const double side = grid.resolution - 2 * grid.margin, padded = side + grid.padding;
   ScaleBounds out;
   out.most = scaleOfArea(items, grid.padding, padded * padded,
                          std::min((side - 4 * grid.slack) / sideForAll(items), kFiniteScale));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/triangle_geometry.h"
+#include "pin/relax_conformally.h"
 
 namespace abflat {
 namespace {
@@ -64,8 +65,7 @@ PinnedLayout pinLayout(const FlatRegion& region, const std::vector<double>& angl
       pinned.push_back(p.vertex);
       out.deviation = std::max(out.deviation, norm(by[0], by[1]));
     }
-    out.isSolved = relaxConformally(conformalEnergy(region, uv.size() / 2, angles), pinned,
-                                    correction, out.memory, options.pool);
+    out.isSolved = relaxConformally(region, angles, pinned, correction, out.memory, options.pool);
     if (out.isSolved)
       for (std::size_t i = 0; i < uv.size(); ++i) out.uv[i] += correction[i];
   }

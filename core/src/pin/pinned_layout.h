@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "base/parallel.h"
 #include "base/point2.h"
 #include "chart/disk_chart.h"
-#include "pin/conformal_energy.h"
+#include "pin/flat_region.h"
 #include "solve/factor_memory.h"
 
 namespace abflat {

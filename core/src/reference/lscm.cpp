@@ -2,7 +2,7 @@
 
 #include "base/point2.h"
 #include "mesh/triangle_geometry.h"
-#include "pin/conformal_energy.h"
+#include "pin/relax_conformally.h"
 #include "reference/corner_angles.h"
 
 namespace abflat {
@@ -51,8 +51,7 @@ Embedding embedLscm(const DiskChart& chart) {
   }
   setPoint(out.uv, right, {1, 0});
   FactorMemory unlimited;
-  if (!relaxConformally(conformalEnergy({chart.vertexOfCorner, chart.boundary}, chart.vertexCount(),
-                                        drawableAngles(chart).raw()),
+  if (!relaxConformally({chart.vertexOfCorner, chart.boundary}, drawableAngles(chart).raw(),
                         {left, right}, out.uv, unlimited))
     out.problem =
         "the linear system of the conformal energy cannot be solved: it is "

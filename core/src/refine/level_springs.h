@@ -2,25 +2,13 @@
 
 #include <vector>
 
-#include "chart/disk_chart.h"
+#include "refine/level_edges.h"
 #include "solve/sparse_assembly.h"
 
 namespace abflat {
 
-/// An edge of the outline that should lie along an axis.
-struct LevelEdge {
-  ChartVertex from, to;
-  std::uint8_t across = 0;  ///< the coordinate that should be the same at both: 0 for u, 1 for v
-  double length = 0;        ///< on the surface
-};
-
-/// Edges that should lie along an axis, held by springs.
-struct LevelEdges {
-  std::vector<LevelEdge> edges;
-  double stiffness = 0;  ///< energy per square of the slope, if all edges had that slope
-};
-
-/// Their energy: the mean square of their slope, by length, times the stiffness.
+/// The energy of edges that should lie along an axis: the mean square of their slope, by length,
+/// times the stiffness.
 class LevelSprings {
  public:
   explicit LevelSprings(const LevelEdges& level);

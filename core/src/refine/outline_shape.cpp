@@ -20,18 +20,8 @@ constexpr double kBoundStrength = 3e-3;
 }  // namespace
 
 OutlineShape::OutlineShape(const DiskChart& chart, const OutlineRules& rules)
-    : chart_(chart), margin_(rules.margin) {
-  if (!rules.straight.empty()) findRuns(rules.straight);
+    : chart_(chart), straight_(chart, rules.straight), margin_(rules.margin) {
   if (!rules.bounds.empty()) findBounds(rules);
-}
-
-void OutlineShape::findRuns(const StraightPlaces& straight) {
-  for (const BoundaryIndex i : straight.ids()) {
-    if (straight[i] || !straight[chart_.after(i)]) continue;
-    Run run{i, chart_.after(chart_.after(i))};
-    while (straight[run.to]) run.to = chart_.after(run.to);
-    runs_.push_back(run);
-  }
 }
 
 void OutlineShape::findBounds(const OutlineRules& rules) {
@@ -47,31 +37,6 @@ void OutlineShape::findBounds(const OutlineRules& rules) {
     if (rules.bounds[i] >= 2 || isStraight) continue;
     const double share = (length[i] + length[chart_.before(i)]) / (2 * sum);
     bounds_.push_back({i, rules.bounds[i] * kPi, kBoundStrength * share});
-  }
-}
-
-template <class Use>
-void OutlineShape::within(const Run& run, const Use& use) const {
-  for (BoundaryIndex i = chart_.after(run.from); i != run.to; i = chart_.after(i))
-    use(chart_.boundaryVertex(i));
-}
-
-double OutlineShape::shareOf(const Run& run, ChartVertex vertex,
-                             const std::vector<double>& uv) const {
-  const auto [a, b, x] =
-      pointsOf(uv, {chart_.boundaryVertex(run.from), chart_.boundaryVertex(run.to), vertex});
-  const double ux = b[0] - a[0], uy = b[1] - a[1], square = ux * ux + uy * uy;
-  return ((x[0] - a[0]) * ux + (x[1] - a[1]) * uy) / square;
-}
-
-void OutlineShape::straighten(std::vector<double>& uv) const {
-  for (const Run& run : runs_) {
-    const Point2 a = pointAt(uv, chart_.boundaryVertex(run.from));
-    const Point2 b = pointAt(uv, chart_.boundaryVertex(run.to));
-    within(run, [&](ChartVertex v) {
-      const double share = shareOf(run, v, uv);
-      setPoint(uv, v, {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])});
-    });
   }
 }
 
@@ -113,8 +78,8 @@ SparseEntries OutlineShape::entries() const {
             if (i >= j) out.emplace_back(static_cast<int>(i), static_cast<int>(j), 0);
   };
   for (const Bound& b : bounds_) add(cornerAt(b.place));
-  for (const Run& run : runs_)
-    within(run, [&](ChartVertex v) {
+  for (const StraightParts::Run& run : straight_)
+    straight_.within(run, [&](ChartVertex v) {
       add({v, chart_.boundaryVertex(run.from), chart_.boundaryVertex(run.to)});
     });
   return out;
@@ -128,12 +93,12 @@ void OutlineShape::addDerivatives(const std::vector<double>& uv, Eigen::VectorXd
       s.contact.addBarrier(barrierAt(s.value / margin_), margin_, b.weight, gradient, hessian);
   }
   const double stiffness = kStraightStiffness / surfaceArea(chart_);
-  for (const Run& run : runs_) {
+  for (const StraightParts::Run& run : straight_) {
     const ChartVertex a = chart_.boundaryVertex(run.from), b = chart_.boundaryVertex(run.to);
     const double ux = uv[2 * b] - uv[2 * a], uy = uv[2 * b + 1] - uv[2 * a + 1];
     const double length = norm(ux, uy);
-    within(run, [&](ChartVertex v) {
-      distanceContact({v, a, b}, shareOf(run, v, uv), {-uy / length, ux / length})
+    straight_.within(run, [&](ChartVertex v) {
+      distanceContact({v, a, b}, straight_.shareOf(run, v, uv), {-uy / length, ux / length})
           .addDerivatives(0, stiffness, gradient, hessian);
     });
   }

@@ -4,19 +4,10 @@
 
 #include "chart/disk_chart.h"
 #include "refine/boundary_contact.h"
+#include "refine/outline_rules.h"
+#include "refine/straight_parts.h"
 
 namespace abflat {
-
-/// What the outline has to conform to.
-struct OutlineRules {
-  StraightPlaces straight;
-  BoundaryBounds bounds;  ///< 2 or more: any angle is allowed; empty: no bounds
-  /// Radians: distance that angles keep from their bounds where that costs little. They start out
-  /// this far away.
-  double margin = 0;
-
-  bool isEmpty() const { return straight.empty() && bounds.empty(); }
-};
 
 /// Keeps straight parts of the outline straight, and angles below their bounds.
 class OutlineShape {
@@ -25,7 +16,7 @@ class OutlineShape {
   OutlineShape(const DiskChart& chart, const OutlineRules& rules);
 
   /// Puts the vertices within a straight part on the line between its ends.
-  void straighten(std::vector<double>& uv) const;
+  void straighten(std::vector<double>& uv) const { straight_.straighten(uv); }
 
   /// Infinite if an angle is not below its bound.
   double energy(const std::vector<double>& uv) const;
@@ -51,26 +42,16 @@ class OutlineShape {
   Slack slackOf(const Bound& bound, const std::vector<double>& uv) const;
 
  private:
-  /// The straight places are those strictly between the two ends.
-  struct Run {
-    BoundaryIndex from, to;
-  };
-  void findRuns(const StraightPlaces& straight);
   void findBounds(const OutlineRules& rules);
   /// A boundary vertex, followed by the one before it and the one after it.
   std::array<ChartVertex, 3> cornerAt(BoundaryIndex i) const {
     return {chart_.boundaryVertex(i), chart_.boundaryVertex(chart_.before(i)),
             chart_.boundaryVertex(chart_.after(i))};
   }
-  /// Calls use(vertex) for every vertex strictly within a run.
-  template <class Use>
-  void within(const Run& run, const Use& use) const;
-  /// How far along a run a vertex lies, as a share of its length.
-  double shareOf(const Run& run, ChartVertex vertex, const std::vector<double>& uv) const;
 
   const DiskChart& chart_;
+  StraightParts straight_;
   double margin_;
-  std::vector<Run> runs_;
   std::vector<Bound> bounds_;
 };
 

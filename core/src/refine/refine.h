@@ -8,8 +8,8 @@
 #include "base/parallel.h"
 #include "chart/disk_chart.h"
 #include "refine/energy.h"
-#include "refine/level_springs.h"
-#include "refine/outline_shape.h"
+#include "refine/level_edges.h"
+#include "refine/outline_rules.h"
 #include "solve/factor_memory.h"
 
 namespace abflat {

@@ -1,3 +1,4 @@
+#include "abflat/bake.h"
 #include "abflat/compare.h"
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
@@ -24,6 +25,8 @@ std::string reportJson(const Report& report) { return jsonOf(report); }
 std::string unwrapReportJson(const UnwrapReport& report) { return jsonOf(report); }
 
 std::string packReportJson(const PackReport& report) { return jsonOf(report); }
+
+std::string bakeReportJson(const BakeReport& report) { return jsonOf(report); }
 
 std::string inspectJson(const MeshSummary& summary, const std::string& path) {
   FieldWriter json;

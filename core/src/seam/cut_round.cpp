@@ -23,7 +23,6 @@ struct ChartsToCut {
     const CutSurface::Chart& chart = surface.charts[c];
     return given.isUntouched(chart, triangleOf(part.toWhole(cornerOf(chart.firstTriangle, 0))));
   }
-  bool isKept(CutChartId c) const { return options.keepDisks && isUntouched(c); }
 };
 
 CutSurface cutOpeningHoles(const SeamMesh& mesh, const SeamOptions& options, Seams& seams) {
@@ -38,7 +37,7 @@ IdVector<CutChartId, SplitFor> splitsAsked(const ChartsToCut& charts) {
   IdVector<CutChartId, SplitFor> asked(charts.surface.charts.size(), SplitFor::Nothing);
   if (!charts.options.isAuto) return asked;
   for (const CutChartId c : asked.ids()) {
-    if (charts.told.stretch[c] > kTellsNothing || charts.isKept(c)) continue;
+    if (charts.told.stretch[c] > kTellsNothing) continue;
     asked[c] = charts.isUntouched(c) ? SplitFor::Overlap : SplitFor::OverlapOrFill;
   }
   return asked;
@@ -52,7 +51,6 @@ void addSlits(const ChartsToCut& charts, const CutPaths& paths, CutRound& round)
       charts.options.isAuto ? slitEnds(paths, charts.told, round.scale, most)
                             : stretchedHoles(paths.mesh, s, charts.told, round.scale, most);
   for (const OpenVertex v : ends) {
-    if (charts.isKept(s.chartOf(v))) continue;
     markPath(paths.mesh, paths.forest, v, round.seams);
     round.isChanged[s.chartOf(v)] = 1;
     ++round.slits;

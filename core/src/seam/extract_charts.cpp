@@ -33,12 +33,14 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
       vertices += s.charts[c].vertices;
     }
   reserve(part, triangles, vertices);
+  m.frontLeeway = mesh.frontLeeway;
   IdVector<OpenVertex, SurfaceVertex> vertex(s.vertexCount());
   IdVector<SurfaceCorner, SurfaceCorner> inPart(s.twin.size());
   for (const SurfaceTriangle f : mesh.triangles()) {
     if (!isWanted[s.chartOfTriangle[f]]) continue;
     m.area.push_back(mesh.area[f]);
     if (!mesh.hole.empty()) m.hole.push_back(mesh.hole[f]);
+    if (!mesh.front.empty()) m.front.push_back(mesh.frontAt(f));
     if (!mesh.excess.empty()) m.excess.push_back(mesh.excess[f]);
     for (const SurfaceCorner h : cornersOf(f)) inPart[h] = part.wholeHalfEdge.push_back(h);
   }

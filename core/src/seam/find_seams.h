@@ -26,8 +26,6 @@ struct SeamOptions {
   /// Charts that reach no farther, in the mesh's unit, take up less of the atlas joined than apart,
   /// however little of their hull they fill: the padding around them is what counts.
   double speck = 0;
-  /// Parts that are disks before anything is cut stay whole, however much they are distorted.
-  bool keepDisks = false;
   EliminationRanks eliminationRanks;  ///< as in SeamReport; empty: they are computed
   SeamPrices prices;
   int variant = 0;  ///< of the costs, see varyCosts

@@ -147,10 +147,13 @@ class SymmetricFinder {
   bool isPreferable(const FoundSymmetric& found, const Seams& seams,
                     const SeamReport& report) const {
     constexpr double kMore = 1.1, kMoreCharts = 1.25;
+    // Where people look, a seam on one side only is worse than longer ones on both.
+    const bool hasFront = !mesh_.front.empty();
+    const double longer = hasFront ? 1.6 : kMore, flatter = hasFront ? longer : 1;
     constexpr std::uint32_t kPair = 2;
     const std::pair<double, double> now = lengthsOf(found.seams), before = lengthsOf(seams);
     return found.price <= kMore * priceOf(mesh_, seams, report.scale) &&
-           now.first <= kMore * before.first && now.second <= before.second &&
+           now.first <= longer * before.first && now.second <= flatter * before.second &&
            found.report.charts <=
                std::max<double>(kMoreCharts * report.charts, report.charts + kPair);
   }

@@ -107,6 +107,7 @@ void addTriangle(const SeamMesh& mesh, SurfaceCorner first, SeamPart& out) {
   SeamMesh& m = out.mesh;
   m.area.push_back(mesh.area[f]);
   if (!mesh.hole.empty()) m.hole.push_back(mesh.hole[f]);
+  if (!mesh.front.empty()) m.front.push_back(mesh.frontAt(f));
   if (!mesh.excess.empty()) m.excess.push_back(mesh.excess[f]);
   for (const SurfaceCorner h : {first, nextCorner(first), prevCorner(first)}) {
     out.wholeHalfEdge.push_back(h);
@@ -139,6 +140,7 @@ void addVertices(const SeamMesh& mesh, SeamPart& out) {
 
 SeamPart inGeometricOrder(const SeamMesh& mesh, const Listener& listener) {
   SeamPart out;
+  out.mesh.frontLeeway = mesh.frontLeeway;
   for (const SurfaceCorner first : firstCorners(mesh, colorsOf(mesh, listener)))
     addTriangle(mesh, first, out);
   addVertices(mesh, out);

@@ -54,6 +54,9 @@ Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const LogSc
   p.stretch.assign(charts, 1);
   p.meanScale.assign(charts, 1);
   p.excess.assign(charts, mesh.excess.empty() ? 1 : 0);
+  p.leeway.assign(charts, mesh.front.empty() ? 1 : 0);
+  for (const SurfaceTriangle f : mesh.front.ids())
+    p.leeway[s.chartOfTriangle[f]] += mesh.area[f] * mesh.leewayAt(f);
   for (const SurfaceTriangle f : mesh.excess.ids())
     p.excess[s.chartOfTriangle[f]] += mesh.area[f] * mesh.excess[f];
   double area = 0, sum = 0;
@@ -64,10 +67,12 @@ Prediction predictStretch(const SeamMesh& mesh, const CutSurface& s, const LogSc
       p.meanScale[c] = (rest + grown[c]) / all;
       if (!mesh.excess.empty()) p.excess[c] /= all;
       const double stretch = (1 + p.meanScale[c] * (rest + shrunk[c]) / all) / 2;
+      if (!mesh.front.empty()) p.leeway[c] /= all;
+      p.excess[c] /= p.leeway[c];
       p.stretch[c] = 1 + p.excess[c] * (std::max(0.0, stretch - 1) + kinks[c] / all);
     }
     area += all;
-    sum += all * p.stretch[c];
+    sum += all * (1 + p.leeway[c] * (p.stretch[c] - 1));
   }
   if (area > 0) p.total = sum / area;
   return p;

@@ -12,8 +12,9 @@ struct Prediction {
   /// Symmetric Dirichlet energy / 4 of a conformal map, by area at equal total area: 1 is an
   /// isometry.
   IdVector<CutChartId, double> stretch;
+  IdVector<CutChartId, double> leeway;     ///< area-weighted mean; `stretch` - 1 is over it
   IdVector<CutChartId, double> meanScale;  ///< area-weighted mean of e^(2u)
-  IdVector<CutChartId, double> excess;     ///< area-weighted mean of the mesh's excess
+  IdVector<CutChartId, double> excess;     ///< area-weighted mean of the mesh's, over the leeway
   double total = 1;                        ///< area-weighted mean of `stretch`
   /// The stretch at a single vertex.
   double at(CutChartId chart, double u) const;

@@ -54,16 +54,22 @@ std::vector<OpenVertex> slitEnds(const CutPaths& paths, const Prediction& predic
   const SeamMesh& mesh = paths.mesh;
   const CutSurface& s = paths.surface;
   const PathForest& forest = paths.forest;
+  // A slit to a peak in the front is the last resort.
+  constexpr double kLeast = 1e-3;
+  const auto ofStretch = [&](OpenVertex v) {
+    return std::max(kLeast, 1 - mesh.frontAt(triangleOf(s.outgoing[v])));
+  };
   IdVector<OpenVertex, double> own(s.vertexCount(), 1);
-  for (const OpenVertex v : s.vertices())
-    own[v] = forest.distance[v] < kBarredCost
-                 ? prediction.at(s.chartOf(v), u[s.meshVertex[v]]) + kinkStretch(mesh, s, v)
-                 : 0;
+  for (const OpenVertex v : s.vertices()) {
+    const double x = prediction.at(s.chartOf(v), u[s.meshVertex[v]]) - 1 + kinkStretch(mesh, s, v);
+    own[v] = forest.distance[v] < kBarredCost ? 1 + ofStretch(v) * x : 0;
+  }
   std::vector<Peak> peaks;
   for (const OpenVertex v : s.vertices()) {
     const CutChartId c = s.chartOf(v);
     if (s.isBoundary[v] || !(prediction.stretch[c] > maxStretch) || own[v] == 0) continue;
-    if (isPeak(s, own, v)) peaks.push_back({c, v, own[v], prediction.shift(c, u[s.meshVertex[v]])});
+    if (isPeak(s, own, v))
+      peaks.push_back({c, v, own[v], ofStretch(v) * prediction.shift(c, u[s.meshVertex[v]])});
   }
   addFarthest(s, own, prediction, u, maxStretch, peaks);
   sortStably(peaks, [](const Peak& a, const Peak& b) {

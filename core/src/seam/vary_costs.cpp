@@ -8,9 +8,7 @@
 namespace abflat {
 namespace {
 
-void makeFrontDearer(int variant, SeamMesh& mesh) {
-  constexpr double kSeveralTimes = 5, kLastResort = 1e4;
-  const double most = variant == kCostVariants + 1 ? kSeveralTimes : kLastResort;
+void makeFrontDearer(double most, SeamMesh& mesh) {
   for (const SurfaceCorner h : mesh.dearness.ids()) {
     const double share = (mesh.dearness[h] - 1) / (kDearInFront - 1);
     const double factor = inFewBits(1 + (most - 1) * share);
@@ -23,10 +21,10 @@ void makeFrontDearer(int variant, SeamMesh& mesh) {
 
 void varyCosts(int variant, SeamMesh& mesh) {
   if (variant == 0) return;
-  if (isForFront(variant)) {
-    makeFrontDearer(variant, mesh);
-    return;
-  }
+  constexpr double kSeveralTimes = 5, kLastResort = 1e4;
+  const double inFront = variant % 2 == 1 ? kSeveralTimes : kLastResort;
+  if (isForFront(variant) || !mesh.front.empty()) makeFrontDearer(inFront, mesh);
+  if (isForFront(variant)) return;
   constexpr int kAxes = 3;
   constexpr double kMost = 0.4, kMean = 1.0 / 3;  // of the square of a coordinate, on a sphere
   const Vec3 axis = principalAxes(mesh).axes[static_cast<std::size_t>((variant - 1) % kAxes)];

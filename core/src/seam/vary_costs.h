@@ -9,9 +9,9 @@ constexpr int kCostVariants = 6, kFrontVariants = 2;
 
 /// Makes seams a little dearer or cheaper where the surface faces along one of its principal axes,
 /// so that a search takes other ways to seams that are about as good. What is symmetric stays so.
-/// `variant`: from 1 to kCostVariants; 0 changes nothing; beyond kCostVariants, seams in the front
-/// are several times as dear as they are anyway, and then so dear that they are made only if
-/// nothing else will do.
+/// `variant`: from 1 to kCostVariants; 0 changes nothing. Beyond kCostVariants, or in triangles in
+/// the front, seams in the front are several times as dear as they are anyway, or so dear that they
+/// are made only if nothing else will do, in turn.
 void varyCosts(int variant, SeamMesh& mesh);
 
 inline bool isForFront(int variant) { return variant > kCostVariants; }

@@ -5,6 +5,7 @@
 #include "solve/active_set.h"
 #include "solve/delaunay_system.h"
 #include "solve/interior_point.h"
+#include "solve/newton_system.h"
 
 namespace abflat {
 namespace {
@@ -29,6 +30,14 @@ AngleSolver::AngleSolver(const AngleProblem& problem, SolverOptions options,
                   ? std::make_unique<NewtonSystem>(problem, makeEigenRowSolver, options_.pool)
                   : std::make_unique<NewtonSystem>(problem, options_.allowedBytes, options_.pool)) {
   if (choice.make) chosen_ = choice.make(problem);
+}
+
+AngleSolver::~AngleSolver() = default;
+
+const FactorMemory& AngleSolver::memory() const { return system_->memory(); }
+
+IdVector<ChartVertex, std::uint32_t> AngleSolver::eliminationRank() const {
+  return system_->eliminationRank();
 }
 
 AngleSolution AngleSolver::solve(const AngleSolution* start, bool isRough) {

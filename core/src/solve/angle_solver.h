@@ -1,20 +1,22 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include <memory>
 
 #include "angle/angle_problem.h"
 #include "solve/angle_solution.h"
-#include "solve/newton_system.h"
+#include "solve/factor_memory.h"
 #include "solve/solver_choice.h"
 
 namespace abflat {
+
+class NewtonSystem;
 
 /// Tries the active set first; if that stalls, the interior point.
 class AngleSolver {
  public:
   /// Keeps a reference to the problem, whose bounds may change between calls.
   AngleSolver(const AngleProblem& problem, SolverOptions options, const SolverChoice& choice = {});
+  ~AngleSolver();
 
   /// `start`: a solution for other bounds to start from, or null. `isRough`: active sets end as
   /// soon as wheels close to a thousandth, which is good enough to start something else from.
@@ -27,10 +29,8 @@ class AngleSolver {
   /// The active set alone, for a problem with condition (9). `start` as above.
   AngleSolution solveDelaunay(const AngleSolution& start);
 
-  const FactorMemory& memory() const { return system_->memory(); }
-  IdVector<ChartVertex, std::uint32_t> eliminationRank() const {
-    return system_->eliminationRank();
-  }
+  const FactorMemory& memory() const;
+  IdVector<ChartVertex, std::uint32_t> eliminationRank() const;
 
  private:
   AngleSolution runActiveSet(const AngleSolution* start, bool isRough);

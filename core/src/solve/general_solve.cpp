@@ -21,7 +21,10 @@ Matrix squared(const Matrix& rows) {
 
 }  // namespace
 
-Eigen::MatrixXd solveGeneral(const Matrix& m, const Eigen::MatrixXd& b) {
+std::vector<double> solveGeneral(const SparseSystem& system) {
+  const Matrix m = assembled(system.size, system.entries);
+  const Eigen::Map<const Eigen::MatrixXd> b(system.b.data(), m.rows(),
+                                            static_cast<Eigen::Index>(system.b.size()) / m.rows());
   const Eigen::VectorXd diagonal = m.diagonal();
   if (!(diagonal.array() > 0).all()) return {};
   Matrix rows = m.transpose();  // one column per row of m
@@ -49,7 +52,8 @@ Eigen::MatrixXd solveGeneral(const Matrix& m, const Eigen::MatrixXd& b) {
     size = left;
     if (!falls) break;
   }
-  return size <= kSolved * first ? x : Eigen::MatrixXd();
+  if (!(size <= kSolved * first)) return {};
+  return {x.data(), x.data() + x.size()};
 }
 
 }  // namespace abflat

@@ -1,12 +1,14 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <vector>
+
+#include "solve/sparse_system.h"
 
 namespace abflat {
 
-/// Solutions for the columns of `b`, by Cholesky on the normal equations of rows scaled to a
-/// diagonal of 1, refined until the residual stops falling. `m` is square with a positive diagonal.
-/// Empty if that fails: m is singular, or nearly so.
-Eigen::MatrixXd solveGeneral(const Eigen::SparseMatrix<double>& m, const Eigen::MatrixXd& b);
+/// Solutions for all right-hand sides, by Cholesky on the normal equations of rows scaled to a
+/// diagonal of 1, refined until the residual stops falling. The diagonal is positive. Empty if that
+/// fails: the matrix is singular, or nearly so.
+std::vector<double> solveGeneral(const SparseSystem& system);
 
 }  // namespace abflat

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "base/constants.h"
+#include "solve/newton_system.h"
 
 namespace abflat {
 namespace {

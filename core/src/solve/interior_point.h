@@ -2,9 +2,10 @@
 
 #include "angle/angle_problem.h"
 #include "solve/angle_solution.h"
-#include "solve/newton_system.h"
 
 namespace abflat {
+
+class NewtonSystem;
 
 /// Keeps the smallest angles of a hard chart large enough to be drawn: its exact optimum has angles
 /// of 1e-9, while with this floor its layout has no flipped triangle.

@@ -1,11 +1,13 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <vector>
+
+#include "solve/sparse_system.h"
 
 namespace abflat {
 
-/// Solutions for the columns of `b`, by Cholesky; only the lower triangle of `m` is read. Empty if
-/// m is singular.
-Eigen::MatrixXd solveSymmetric(const Eigen::SparseMatrix<double>& m, const Eigen::MatrixXd& b);
+/// Solutions for all right-hand sides, by Cholesky; only the lower triangle of the matrix is read.
+/// Empty if it is singular.
+std::vector<double> solveSymmetric(const SparseSystem& system);
 
 }  // namespace abflat

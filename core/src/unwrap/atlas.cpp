@@ -144,6 +144,7 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options, const L
   placeInAtlas(packing, packed.charts.flat);
   atlas.resolution = options.resolution;
   atlas.padding = options.padding;
+  atlas.margin = marginOf(options);
   atlas.tiles = static_cast<int>(packing.tiles);
   atlas.utilization = packing.utilization;
   // Nothing was packed, so that what was asked for says nothing of the layout.

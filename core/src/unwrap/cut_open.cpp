@@ -61,8 +61,9 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const Se
   SeamOptions toBegin = seamOptions(options, open, pool, listener, variant.costs);
   // How much stretch refining leaves is only known to about a third, and cutting again takes
   // another run.
-  constexpr double kShare = 0.85;
+  constexpr double kShare = 0.85, kTighter = 0.5;
   if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
+  if (variant.isTighter) toBegin.maxStretch = 1 + kTighter * (toBegin.maxStretch - 1);
   if (variant.before)
     toBegin.eliminationRanks = ranksOf(*variant.before, uncut.welded.mesh.vertexCount(), open);
   // Symmetric seams that were not preferable hardly ever become so.
@@ -78,7 +79,7 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const Se
 
 /// Cuts flat regions with holes out along their creases, if that costs less than seams through
 /// them.
-void openPlates(const UncutSurface& uncut, const AskedCuts& asked, int costs,
+void openPlates(const UncutSurface& uncut, const AskedCuts& asked, SeamVariant variant,
                 const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
                 OpenSurface& open, SeamReport& found) {
   const Seams borders = plateBorders(open.mesh);
@@ -86,7 +87,8 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, int costs,
   AskedCuts along = asked;
   for (const SurfaceCorner h : along.seams.ids()) along.seams[h] = along.seams[h] || borders[h];
   SeamReport report;
-  OpenSurface other = openWith(uncut, along, {costs, &open}, options, pool, listener, report);
+  variant.before = &open;
+  OpenSurface other = openWith(uncut, along, variant, options, pool, listener, report);
   const SeamOptions how = seamOptions(options, open, pool, listener);
   // Of symmetric seams less is known than of those that they were preferred to.
   const auto costOf = [&](const OpenSurface& x) {
@@ -113,7 +115,7 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Sea
   OpenSurface open = openWith(uncut, asked, variant, options, pool, listener, found);
   const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
   if (options.seams.isAuto && !isSymmetric && !listener.isStopped())
-    openPlates(uncut, asked, variant.costs, options, pool, listener, open, found);
+    openPlates(uncut, asked, variant, options, pool, listener, open, found);
   summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;

@@ -100,7 +100,7 @@ Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& ch
     // Invalid charts have not been refined.
     const double found = charts[i].isInvalid ? std::max((charts[i].stretch - 1) / told, leastToCut)
                                              : above(charts[i].stretch) / told;
-    excess[c] = std::min(found, std::max(kMost, leastToCut));
+    excess[c] = expected.leeway[c] * std::min(found, std::max(kMost, leastToCut));
   }
   if (isWorseThanExpected(open, s, excess)) {
     takeOther(open);

@@ -10,6 +10,7 @@
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "hole/fill_holes.h"
+#include "pack/pack.h"
 #include "seam/extract_charts.h"
 #include "seam/geometric_order.h"
 #include "seam/piece_fitting.h"
@@ -248,7 +249,7 @@ CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface&
   const SeamPart part = partToCut(packed.charts, open, largeCharts(packed.charts.flat, 0));
   const FlatSurface surface = flatSurface(packed, open, part);
   const auto fittingOn = [&](int cells) {
-    const QuickFit fit(options.resolution, options.padding, options.rotate, cells);
+    const QuickFit fit(packOptionsOf(options), cells);
     return std::make_unique<PieceFitting>(part.mesh, surface, fit, goal.mostCost);
   };
   auto uncut = fittingOn(kCells);

@@ -95,8 +95,8 @@ Status CutFlattener::layOutPieces(FlatCut& cut) const {
   constexpr int kMostRounds = 3;
   Rounds rounds(with_.listener);
   if (Status s = layOut(cut, rounds.now()); !s.ok()) return s;
-  expectScale(cut.charts.set, stretchedPieces(cut.charts.flat, with_.options), with_.pool,
-              cut.open);
+  expectScale(cut.charts.set, stretchedPieces(cut.charts.set, cut.charts.flat, with_.options),
+              with_.pool, cut.open);
   if (Status s = cutWhileStretched(cut, kMostRounds, rounds); !s.ok()) return s;
   return endSearch(cut, rounds.now());
 }
@@ -120,10 +120,13 @@ bool CutFlattener::cutFurther(FlatCut& cut, const Listener& listener) const {
   if (!canCut(with_.options)) return false;
   FlatCharts& flat = cut.charts.flat;
   IdVector<ChartId, Stretched> charts;
-  for (const FlatChart& chart : flat) {
+  for (const ChartId i : flat.ids()) {
+    const FlatChart& chart = flat[i];
+    const double leeway = cut.charts.set.leewayOf(i);
     const bool isAsked =
-        (chart.isGivenUp() || isStretched(chart, with_.options)) && !chart.isCutEnough;
-    charts.push_back({isAsked ? stretchOf(chart.distortion, with_.options) : 0, chart.isGivenUp()});
+        (chart.isGivenUp() || isStretched(chart, leeway, with_.options)) && !chart.isCutEnough;
+    charts.push_back(
+        {isAsked ? stretchOf(chart.distortion, leeway, with_.options) : 0, chart.isGivenUp()});
   }
   const Further done =
       cutStretched(cut.charts.set, charts, with_.options, with_.pool, listener, cut.open);
@@ -144,12 +147,13 @@ Status CutFlattener::endSearch(FlatCut& cut, const Listener& listener) const {
 Status CutFlattener::halveRuined(FlatCut& cut, Rounds& rounds) const {
   constexpr int kMostHalvings = 24, kMostRounds = 4;
   for (int k = 0; canCut(with_.options) && k < kMostHalvings && !with_.listener.isStopped(); ++k) {
-    const Result<bool> isAny = halve(cut, ruinedCharts(cut.charts.flat, with_.options.maxStretch));
+    const Result<bool> isAny =
+        halve(cut, ruinedCharts(cut.charts.set, cut.charts.flat, with_.options.maxStretch));
     if (!isAny.ok()) return isAny.status();
     if (!isAny.value()) break;
     if (Status s = layOut(cut, rounds.now()); !s.ok()) return s;
-    expectScale(cut.charts.set, stretchedPieces(cut.charts.flat, with_.options), with_.pool,
-                cut.open);
+    expectScale(cut.charts.set, stretchedPieces(cut.charts.set, cut.charts.flat, with_.options),
+                with_.pool, cut.open);
     if (Status s = cutWhileStretched(cut, kMostRounds, rounds); !s.ok()) return s;
     if (Status s = endSearch(cut, rounds.now()); !s.ok()) return s;
   }
@@ -168,7 +172,7 @@ Result<bool> CutFlattener::halve(FlatCut& cut,
 }
 
 Result<bool> CutFlattener::halveInvalid(FlatCut& cut) const {
-  Result<bool> isAny = halve(cut, ruinedCharts(cut.charts.flat, HUGE_VAL));
+  Result<bool> isAny = halve(cut, ruinedCharts(cut.charts.set, cut.charts.flat, HUGE_VAL));
   if (!isAny.ok() || !isAny.value()) return isAny;
   if (Status s = layOut(cut); !s.ok()) return s;
   if (Status s = endSearch(cut, with_.listener); !s.ok()) return s;

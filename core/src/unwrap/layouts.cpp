@@ -42,6 +42,19 @@ FlatChart flattenInOrder(const ChartSet& set, ChartId i, const UnwrapOptionValue
   return out;
 }
 
+/// How many charts there are of a kind, and the worst of them.
+struct Worst {
+  std::size_t count = 0;
+  ChartId chart;
+  double value = 0;
+
+  void add(ChartId i, double x) {
+    if (count++ > 0 && x <= value) return;
+    chart = i;
+    value = x;
+  }
+};
+
 }  // namespace
 
 bool canCut(const UnwrapOptions& options) { return options.seams.isAuto && isFree(options); }
@@ -87,22 +100,25 @@ void flattenAll(const IdVector<ChartId, ChartConstraints>& constraints,
   });
 }
 
-IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat,
+IdVector<ChartId, std::uint8_t> stretchedPieces(const ChartSet& set, const FlatCharts& flat,
                                                 const UnwrapOptionValues& options) {
   IdVector<ChartId, std::uint8_t> out;
   out.reserve(flat.size());
-  for (const FlatChart& chart : flat)
-    out.push_back(!chart.isCutEnough && isStretched(chart, options));
+  for (const ChartId i : flat.ids())
+    out.push_back(!flat[i].isCutEnough && isStretched(flat[i], set.leewayOf(i), options));
   return out;
 }
 
-IdVector<ChartId, std::uint8_t> ruinedCharts(const FlatCharts& flat, double most) {
+IdVector<ChartId, std::uint8_t> ruinedCharts(const ChartSet& set, const FlatCharts& flat,
+                                             double most) {
   constexpr double kRuined = 10;
   IdVector<ChartId, std::uint8_t> out;
   out.reserve(flat.size());
-  for (const FlatChart& chart : flat) {
-    const bool isRuined = !chart.problem.empty() || chart.isDrawnOut ||
-                          chart.distortion.symmetricDirichlet > 1 + kRuined * (most - 1);
+  for (const ChartId i : flat.ids()) {
+    const FlatChart& chart = flat[i];
+    const bool isRuined =
+        !chart.problem.empty() || chart.isDrawnOut ||
+        chart.distortion.symmetricDirichlet > 1 + kRuined * set.leewayOf(i) * (most - 1);
     out.push_back(!chart.isFixed && !chart.isWhole && isRuined);
   }
   return out;
@@ -124,25 +140,31 @@ bool dropGivenUp(FlatCharts& flat) {
 void noteStretched(const CutMesh& mesh, const FlatCharts& flat, const UnwrapOptions& options,
                    std::vector<std::string>& notes) {
   if (!options.seams.isAuto) return;
-  const auto note = [&](double ChartDistortion::*measure, double most, const char* isBeyond) {
+  const char* const why = isFree(options)         ? ": no seam that was tried helps enough"
+                          : options.straightSeams ? ": straight seams force that"
+                                                  : ": a larger t, or auto, stretches less";
+  const auto note = [&](double ChartDistortion::*measure, double least, double most,
+                        const char* isBeyond) {
     const auto of = [&](ChartId i) { return flat[i].distortion.*measure; };
-    std::size_t count = 0;
-    ChartId worst(0);
+    Worst inFront, others;
     for (const ChartId i : flat.ids()) {
       if (flat[i].isFixed || of(i) <= most) continue;
-      if (count++ == 0 || of(i) > of(worst)) worst = i;
+      const bool isAllowed = of(i) <= least + mesh.set.leewayOf(i) * (most - least);
+      (isAllowed ? inFront : others).add(i, of(i));
     }
-    if (count == 0) return;
-    const std::uint32_t face{mesh.map.face(mesh.set.topology(worst).triangles.front())};
-    notes.push_back(counted(count, "chart is ", "charts are ") + isBeyond + withDigits(most, 6) +
-                    ", up to " + withDigits(of(worst), 5) + " for the chart of face " +
-                    std::to_string(face) + ": " +
-                    (isFree(options)         ? "no seam that was tried helps enough"
-                     : options.straightSeams ? "straight seams force that"
-                                             : "a larger t, or auto, stretches less"));
+    const auto add = [&](const Worst& worst, const char* is, const char* are, const char* reason) {
+      if (worst.count == 0) return;
+      const std::uint32_t face{mesh.map.face(mesh.set.topology(worst.chart).triangles.front())};
+      notes.push_back(counted(worst.count, is, are) + isBeyond + withDigits(most, 6) + ", up to " +
+                      withDigits(worst.value, 5) + " for the chart of face " +
+                      std::to_string(face) + reason);
+    };
+    add(others, "chart is ", "charts are ", why);
+    add(inFront, "chart in the front of a figure is ", "charts in the front of a figure are ",
+        ", so that no seam crosses it");
   };
-  note(&ChartDistortion::symmetricDirichlet, options.maxStretch, "stretched by more than ");
-  note(&ChartDistortion::sheared, mostSheared(options), "sheared over a share of more than ");
+  note(&ChartDistortion::symmetricDirichlet, 1, options.maxStretch, "stretched by more than ");
+  note(&ChartDistortion::sheared, 0, mostSheared(options), "sheared over a share of more than ");
 }
 
 }  // namespace abflat

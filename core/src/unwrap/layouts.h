@@ -21,12 +21,13 @@ void flattenAll(const IdVector<ChartId, ChartConstraints>& constraints,
                 LaidCharts& charts);
 
 /// Per chart, whether it is stretched by more than `most` and may be cut further.
-IdVector<ChartId, std::uint8_t> stretchedPieces(const FlatCharts& flat,
+IdVector<ChartId, std::uint8_t> stretchedPieces(const ChartSet& set, const FlatCharts& flat,
                                                 const UnwrapOptionValues& options);
 
 /// Per chart, whether it should be split in two, since nothing else makes it valid or brings it
 /// within ten times the excess that is allowed.
-IdVector<ChartId, std::uint8_t> ruinedCharts(const FlatCharts& flat, double most);
+IdVector<ChartId, std::uint8_t> ruinedCharts(const ChartSet& set, const FlatCharts& flat,
+                                             double most);
 
 /// Drops the layouts of charts that seams do not help, if more can be tried. Returns whether there
 /// were any.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cut/front.h"
 #include "hole/fill_holes.h"
 #include "mesh/triangle_geometry.h"
 
@@ -39,9 +40,12 @@ OpenSurface openAndFill(const UncutSurface& uncut, const AskedCuts& asked,
   for (const SurfaceCorner h : given.ids())
     if (given[h]) table.twin[h] = SurfaceCorner();
   const auto meshOf = [&](const CornerTable& t, const Fans& fans) {
-    return makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
-                        asked.scales.ofTriangle, asked.breaks, options.seamCosts, asked.upAxis,
-                        listener);
+    SeamMesh out = makeSeamMesh(mesh.positions, t, fans, surface.triangulation.isDiagonal,
+                                asked.scales.ofTriangle, asked.breaks, options.seamCosts,
+                                asked.upAxis, listener);
+    if (options.frontLeeway > 1) out.front = trianglesInFront(out);
+    out.frontLeeway = options.frontLeeway;
+    return out;
   };
   const bool isAny = std::find(given.begin(), given.end(), 1) != given.end();
   Fans fans = isAny ? findFans(table, mesh.vertexCount()) : surface.fans;

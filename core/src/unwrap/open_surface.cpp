@@ -18,10 +18,29 @@ IdVector<InputVertex, std::uint32_t> ranksOfMesh(const OpenSurface& open, std::s
   return out;
 }
 
+namespace {
+
+/// The mean of each chart's triangles.
+IdVector<ChartId, double> leewayOfCharts(const SeamMesh& mesh, const ChartSet& set) {
+  IdVector<ChartId, double> out;
+  for (const ChartId i : set.ids()) {
+    double area = 0, sum = 0;
+    for (const SurfaceTriangle f : set.topology(i).triangles) {
+      area += mesh.area[f];
+      sum += mesh.area[f] * mesh.leewayAt(f);
+    }
+    out.push_back(area > 0 ? sum / area : 1);
+  }
+  return out;
+}
+
+}  // namespace
+
 ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
   // Charts are factored in the order found for the whole surface.
   out.eliminationRank = ranksOfMesh(open, welded.mesh.vertexCount());
+  if (!open.mesh.front.empty()) out.leeway = leewayOfCharts(open.mesh, out);
   return out;
 }
 

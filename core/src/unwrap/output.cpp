@@ -129,6 +129,7 @@ UnwrapChart chartRow(const CutMesh& mesh, ChartId i, const FlatChart& flat) {
   row.quasiConformalMax = flat.distortion.quasiConformalMax;
   row.quasiConformalSheared = flat.distortion.sheared;
   row.symmetricDirichlet = flat.distortion.symmetricDirichlet;
+  row.leeway = mesh.set.leewayOf(i);
   if (flat.uncommon) {
     row.refined = flat.uncommon->refined;
     row.pins = flat.uncommon->pins;

@@ -76,7 +76,7 @@ void takePieces(const LaidCharts& before, const UnwrapOptionValues& options, Thr
     for (const ChartCorner c : chart.surfaceCorners())
       setPoint(uv, chart.vertexOfCorner[c], at[chart.onSurface(c)]);
     piece = pieceAsItLies(now.set.chart(i), std::move(uv), whole.solver);
-    if (piece.unpacked.empty() || isStretched(piece, options)) {
+    if (piece.unpacked.empty() || isStretched(piece, now.set.leewayOf(i), options)) {
       piece = {};
       return;
     }
@@ -91,8 +91,9 @@ IdVector<ChartId, std::uint8_t> stretchedByCuts(const LaidCharts& before, const 
   for (const ChartId i : now.set.ids()) {
     const ChartId whole = before.set.ofTriangle[now.set.topology(i).triangles.front()];
     const double bound =
-        std::max(options.maxStretch, stretchOf(before.flat[whole].distortion, options));
-    if (stretchOf(now.flat[i].distortion, options) > bound) out[whole] = 1;
+        std::max(options.maxStretch,
+                 stretchOf(before.flat[whole].distortion, before.set.leewayOf(whole), options));
+    if (stretchOf(now.flat[i].distortion, now.set.leewayOf(i), options) > bound) out[whole] = 1;
   }
   return out;
 }

@@ -43,8 +43,9 @@ bool take(const DiskChart& chart, std::vector<double> places, double gain,
   if (!scaleToSurface(chart, places)) return false;
   const ChartDistortion distortion(measureDistortion(chart, inChartUnit(chart, places)));
   const double more = distortion.symmetricDirichlet - flat.distortion.symmetricDirichlet;
+  constexpr double kNoLeeway = 1;  // that is for what would be cut otherwise
   const bool isWorth =
-      stretchOf(distortion, options) <= options.maxStretch && more <= kWorth * gain;
+      stretchOf(distortion, kNoLeeway, options) <= options.maxStretch && more <= kWorth * gain;
   if (options.rectify == Rectify::Auto && !isWorth) return false;
   if (nearEdges(chart, places, density, options.padding) >
       nearEdges(chart, flat.unpacked, density, options.padding))

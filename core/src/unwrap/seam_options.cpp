@@ -1,5 +1,8 @@
 #include "unwrap/seam_options.h"
 
+#include <algorithm>
+
+#include "pack/pack.h"
 #include "refine/refine.h"
 #include "unwrap/expected_density.h"
 
@@ -17,7 +20,8 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   constexpr double kSpeckTexels = 16;
   out.speck = kSpeckTexels / expectedDensity(options, open.mesh.totalArea(), open.unit);
   if (options.udim)  // each chart has to fit a tile
-    out.longest = (options.resolution - 2 * options.padding) / options.texelDensity / open.unit;
+    out.longest = (options.resolution - 2 * std::max(options.padding, marginOf(options))) /
+                  options.texelDensity / open.unit;
   out.pool = &pool;
   out.listener = listener;
   return out;

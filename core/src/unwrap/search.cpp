@@ -27,18 +27,19 @@ Status cutAgain(const SearchInput& input, const SeamVariant& variant, const CutF
 }
 
 /// Cuts the surface in other ways, too, and keeps what turns out best.
-Status tryOthers(const SearchInput& input, const std::vector<int>& variants,
+Status tryOthers(const SearchInput& input, const std::vector<SeamVariant>& variants,
                  const CutFlattener& flattener, FlatCut& best) {
   constexpr int kMostFruitless = 3;
   const FlattenSettings& with = flattener.settings();
   int fruitless = isSettled(with.options, best) ? kMostFruitless : 0;
-  for (const int variant : variants) {
-    if (fruitless >= kMostFruitless) break;
+  for (SeamVariant variant : variants) {
+    if (fruitless >= kMostFruitless && !variant.isTighter) continue;
     FlatCut other;
-    if (Status s = cutAgain(input, {variant, &best.open}, flattener, other); !s.ok()) return s;
+    variant.before = &best.open;
+    if (Status s = cutAgain(input, variant, flattener, other); !s.ok()) return s;
     if (with.listener.isStopped()) break;
     const bool isBetter = takeBetter(input.uncut.welded, with.options, best, other);
-    if (!isForFront(variant)) fruitless = isBetter ? 0 : fruitless + 1;
+    if (!isForFront(variant.costs)) fruitless = isBetter ? 0 : fruitless + 1;
   }
   return {};
 }
@@ -79,7 +80,7 @@ Status layOutAsAsked(const CutFlattener& flattener, FlatCut& cut) {
 
 }  // namespace
 
-Status searchMore(const SearchInput& input, const std::vector<int>& variants,
+Status searchMore(const SearchInput& input, const std::vector<SeamVariant>& variants,
                   const FlattenSettings& settings, FlatCut& cut) {
   FlattenSettings searching = settings;
   searching.isSearch = true;

@@ -4,6 +4,7 @@
 
 #include "unwrap/flatten_cut.h"
 #include "unwrap/open_and_fill.h"
+#include "unwrap/seam_variant.h"
 
 namespace abflat {
 
@@ -16,7 +17,7 @@ struct SearchInput {
 /// Cuts the surface in other ways, too; each component keeps what turns out best. Then joins charts
 /// that are too small to be worth a seam, and lays all out as asked. `variants`: those worth their
 /// time. `cut`: what the first search found. `settings`: for what is laid out in the end.
-Status searchMore(const SearchInput& input, const std::vector<int>& variants,
+Status searchMore(const SearchInput& input, const std::vector<SeamVariant>& variants,
                   const FlattenSettings& settings, FlatCut& cut);
 
 }  // namespace abflat

@@ -152,8 +152,9 @@ IdVector<ChartId, std::uint8_t> SmallCharts::refused(const LaidCharts& before,
   }
   for (const ChartId i : now.set.ids()) {
     const FlatChart& flat = now.flat[i];
-    isBad.push_back(parts[i] > 1 && (!flat.problem.empty() || isStretched(flat, options) ||
-                                     (wasExact[i] && !isExact(flat))));
+    isBad.push_back(parts[i] > 1 &&
+                    (!flat.problem.empty() || isStretched(flat, now.set.leewayOf(i), options) ||
+                     (wasExact[i] && !isExact(flat))));
   }
   if (mirror) spread(mirror, now.set, isBad);
   for (const Pair& pair : joined_) {

@@ -11,13 +11,14 @@ double mostSheared(const UnwrapOptionValues& options) {
              : options.maxSheared;
 }
 
-double stretchOf(const ChartDistortion& distortion, const UnwrapOptionValues& options) {
+double stretchOf(const ChartDistortion& distortion, double leeway,
+                 const UnwrapOptionValues& options) {
   const double ofShear = 1 + (options.maxStretch - 1) * distortion.sheared / mostSheared(options);
-  return std::max(distortion.symmetricDirichlet, ofShear);
+  return 1 + (std::max(distortion.symmetricDirichlet, ofShear) - 1) / leeway;
 }
 
-bool isStretched(const FlatChart& chart, const UnwrapOptionValues& options) {
-  return !chart.isFixed && stretchOf(chart.distortion, options) > options.maxStretch;
+bool isStretched(const FlatChart& chart, double leeway, const UnwrapOptionValues& options) {
+  return !chart.isFixed && stretchOf(chart.distortion, leeway, options) > options.maxStretch;
 }
 
 }  // namespace abflat

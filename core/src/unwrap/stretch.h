@@ -9,10 +9,11 @@ namespace abflat {
 double mostSheared(const UnwrapOptionValues& options);
 
 /// What has to stay within options.maxStretch: the mean over the chart, or more if too large a
-/// share of it is sheared.
-double stretchOf(const ChartDistortion& distortion, const UnwrapOptionValues& options);
+/// share of it is sheared. What exceeds 1 counts `leeway` times less; see ChartSet.
+double stretchOf(const ChartDistortion& distortion, double leeway,
+                 const UnwrapOptionValues& options);
 
 /// Whether that is above options.maxStretch. What is fixed stays as it is.
-bool isStretched(const FlatChart& chart, const UnwrapOptionValues& options);
+bool isStretched(const FlatChart& chart, double leeway, const UnwrapOptionValues& options);
 
 }  // namespace abflat

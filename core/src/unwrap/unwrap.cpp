@@ -174,7 +174,7 @@ Result<UnwrapResult> unwrapInUnits(const InputMesh& input, const UnwrapOptions& 
   cut.open = cutOpen(uncut, cuts, {}, options, pool,
                      kSeams.of(listener).approach(usualReports(surface.table.triangles().size())),
                      report.seams);
-  std::vector<int> variants;
+  std::vector<SeamVariant> variants;
   if (canCut(options) && fixed.isFixed.empty())
     variants = variantsWorth(surface.table.triangles().size(), shareInFront(cut.open.mesh));
   if (variants.empty()) surface.fans = Fans();

@@ -7,6 +7,7 @@
 #include "seam/occlusion.h"
 #include "seam/vary_costs.h"
 #include "unwrap/pieces.h"
+#include "unwrap/right_angled.h"
 #include "unwrap/stretch.h"
 
 namespace abflat {
@@ -21,43 +22,64 @@ class CutValue {
   CutValue(const FlatCut& cut, const UnwrapOptionValues& options)
       : mesh_(cut.open.mesh),
         whole_(cutAlong(mesh_, givenSeams(cut.open))),
-        cost_(whole_.charts.size(), 0),
-        beyond_(whole_.charts.size(), 0) {
+        parts_(whole_.charts.size(), {}) {
     addCharts(cut.charts, options);
   }
 
   /// Where seams are hidden they are cheaper; where their cost counts, so does their length.
   void addSeams(FlatCut& cut, SeamCosts costs) {
-    constexpr double kLength = 0.3, kUnseen = 0.6;
+    constexpr double kLength = 0.3, kUnseen = 0.6, kInFlat = 2;
     const bool isSight = costs == SeamCosts::Sight;
     if (isSight && cut.hidden.empty()) cut.hidden = occlusion(mesh_);
     const double ofLength = isSight ? kLength : 0;
     for (const SurfaceCorner h : cut.open.seams.ids()) {
       if (!cut.open.seams[h] || !mesh_.isOnSurface(h)) continue;
       const CutChartId c = whole_.chartOf(h);
+      Part& part = parts_[c];
       const double unseen = isSight ? kUnseen * cut.hidden[triangleOf(h)] : 0;
-      cost_[c] += (mesh_.cost[h] + ofLength * mesh_.length[h]) * (1 - unseen) /
-                  (2 * std::sqrt(whole_.charts[c].area));
+      part.cost += (mesh_.cost[h] + ofLength * mesh_.length[h]) * (1 - unseen) /
+                   (2 * std::sqrt(whole_.charts[c].area));
+      part.length += mesh_.length[h];
+      if (mesh_.plainCost(h) > kInFlat * mesh_.length[h]) part.inFlat += mesh_.length[h];
     }
   }
 
   const CutSurface& whole() const { return whole_; }
   /// What seams, charts and their stretch cost, relative to a component's own size.
-  double cost(CutChartId part) const { return cost_[part]; }
+  double cost(CutChartId part) const { return parts_[part].cost; }
   /// Where a component nearly unrolls, its creases say where it is cut best.
-  bool unrolls(CutChartId part) const { return beyond_[part] <= 3e-4; }
+  bool unrolls(CutChartId part) const { return parts_[part].beyond <= 3e-4; }
+  /// Whether a component has clearly better seams than another that nearly unrolls: it does so as
+  /// well, with clearly shorter ones, but neither by cuts through flat faces nor with fewer right
+  /// angles.
+  bool unrollsBetter(CutChartId part, const CutValue& other) const {
+    constexpr double kClearlyLess = 0.98, kRounding = 1e-6;
+    const Part &now = parts_[part], &before = other.parts_[part];
+    return unrolls(part) && now.cost < before.cost && now.length < kClearlyLess * before.length &&
+           now.inFlat <= before.inFlat + kRounding &&
+           now.outline.share() > before.outline.share() - kRounding;
+  }
   bool unrolls() const {
-    for (const CutChartId c : beyond_.ids())
+    for (const CutChartId c : parts_.ids())
       if (!unrolls(c)) return false;
     return true;
   }
   double total() const {
     double sum = 0;
-    for (const CutChartId c : cost_.ids()) sum += cost_[c] * std::sqrt(whole_.charts[c].area);
+    for (const CutChartId c : parts_.ids())
+      sum += parts_[c].cost * std::sqrt(whole_.charts[c].area);
     return sum;
   }
 
  private:
+  struct Part {
+    double cost = 0;
+    double length = 0;  ///< of seams, counted on both sides
+    double inFlat = 0;  ///< the part of it in flat faces
+    double beyond = 0;  ///< beyond 1, of the mean stretch
+    RightAngled outline;
+  };
+
   static Seams givenSeams(const OpenSurface& open) {
     Seams out(open.mesh.twin.size(), 0);
     // Where the mesh is open along them, the twin is that of a hole's filling, if there is one.
@@ -71,20 +93,24 @@ class CutValue {
     for (const ChartId i : charts.set.ids()) {
       const FlatChart& flat = charts.flat[i];
       const double stretch = flat.distortion.symmetricDirichlet;
-      const bool isBad =
-          !flat.problem.empty() || stretchOf(flat.distortion, options) > options.maxStretch;
+      const bool isBad = !flat.problem.empty() || stretchOf(flat.distortion, charts.set.leewayOf(i),
+                                                            options) > options.maxStretch;
       double area = 0;
       for (const SurfaceTriangle f : charts.set.topology(i).triangles) area += mesh_.area[f];
       const CutChartId c = whole_.chartOfTriangle[charts.set.topology(i).triangles.front()];
-      cost_[c] += kChart + area / whole_.charts[c].area *
-                               (kStretch * std::max(0.0, stretch - 1) + (isBad ? kBad : 0));
-      beyond_[c] += area / whole_.charts[c].area * (isBad ? HUGE_VAL : stretch - 1);
+      const double share = area / whole_.charts[c].area;
+      Part& part = parts_[c];
+      part.cost +=
+          kChart + share * (kStretch * std::max(0.0, stretch - 1) / charts.set.leewayOf(i) +
+                            (isBad ? kBad : 0));
+      if (flat.problem.empty()) part.outline += rightAngled(charts.set.topology(i), flat.unpacked);
+      part.beyond += share * (isBad ? HUGE_VAL : stretch - 1);
     }
   }
 
   const SeamMesh& mesh_;
   const CutSurface whole_;
-  IdVector<CutChartId, double> cost_, beyond_;  ///< beyond 1, of the mean stretch
+  IdVector<CutChartId, Part> parts_;
 };
 
 CutValue valueOf(FlatCut& cut, const UnwrapOptionValues& options) {
@@ -133,16 +159,17 @@ void takeSeams(const CutSurface& whole, const IdVector<CutChartId, std::uint8_t>
 
 }  // namespace
 
-std::vector<int> variantsWorth(std::size_t triangles, double inFront) {
+std::vector<SeamVariant> variantsWorth(std::size_t triangles, double inFront) {
   constexpr std::size_t kTriangles = 20000;        // about half a second
   constexpr std::size_t kMostWithFront = 120'000;  // about three seconds for each
   constexpr double kLeastInFront = 0.02;           // less is not what people look at
-  std::vector<int> out;
+  std::vector<SeamVariant> out;
   if (inFront >= kLeastInFront && triangles <= kMostWithFront)
-    for (int k = 1; k <= kFrontVariants; ++k) out.push_back(kCostVariants + k);
+    for (int k = 1; k <= kFrontVariants; ++k) out.push_back({kCostVariants + k});
   const std::size_t others = triangles == 0 ? 0 : kTriangles / triangles;
+  if (others > 0) out.push_back({0, true});
   for (int k = 1; k <= static_cast<int>(std::min<std::size_t>(others, kCostVariants)); ++k)
-    out.push_back(k);
+    out.push_back({k});
   return out;
 }
 
@@ -164,7 +191,8 @@ bool takeBetter(const WeldedMesh& welded, const UnwrapOptionValues& options, Fla
   }
   IdVector<CutChartId, std::uint8_t> isBetter;
   for (const CutChartId c : now.whole().charts.ids())
-    isBetter.push_back(then.cost(c) < kClearly * now.cost(c) && !now.unrolls(c));
+    isBetter.push_back(now.unrolls(c) ? then.unrollsBetter(c, now)
+                                      : then.cost(c) < kClearly * now.cost(c));
   if (std::find(isBetter.begin(), isBetter.end(), 1) == isBetter.end()) return false;
   takeSeams(now.whole(), isBetter, best.open, other.open);
   LaidCharts before = std::move(best.charts);

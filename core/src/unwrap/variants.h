@@ -3,22 +3,24 @@
 #include <vector>
 
 #include "unwrap/flat_cut.h"
+#include "unwrap/seam_variant.h"
 
 namespace abflat {
 
 /// What seams, charts and their stretch cost in all.
 double costOf(const UnwrapOptionValues& options, FlatCut& cut);
 
-/// The costs of further searches for the seams of a surface that are worth their time, which grows
-/// with the number of its triangles; see varyCosts. `inFront`: share of it, see shareInFront.
-std::vector<int> variantsWorth(std::size_t triangles, double inFront);
+/// Further searches for the seams of a surface that are worth their time, which grows with the
+/// number of its triangles. `inFront`: share of it, see shareInFront.
+std::vector<SeamVariant> variantsWorth(std::size_t triangles, double inFront);
 
-/// Whether no other search would be listened to, since all components nearly unroll.
+/// Whether no search with other costs would be listened to, since all components nearly unroll.
 bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut);
 
 /// Replaces seams of components by those of `other` where they and the stretch of their charts cost
-/// less; layouts of charts move along. Symmetric seams are replaced as a whole, or not at all.
-/// False if nothing is replaced.
+/// less; where a component nearly unrolls, only if it still does and they are clearly shorter, too.
+/// Layouts of charts move along. Symmetric seams are replaced as a whole, or not at all. False if
+/// nothing is replaced.
 bool takeBetter(const WeldedMesh& welded, const UnwrapOptionValues& options, FlatCut& best,
                 FlatCut& other);
 

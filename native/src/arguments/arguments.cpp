@@ -23,10 +23,11 @@ std::string usageError(const CLI::App& app, const CLI::Error& error) {
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
     what = "there is no command '" + app.remaining().front() +
-           "'. Use unwrap, flatten, pack, inspect, sample, sweep, compare or reproduce";
+           "'. Use unwrap, flatten, pack, bake, inspect, sample, sweep, compare or reproduce";
   else if (named.empty())
     what =
-        "no command given. Use unwrap, flatten, pack, inspect, sample, sweep, compare or reproduce";
+        "no command given. Use unwrap, flatten, pack, bake, inspect, sample, sweep, compare or "
+        "reproduce";
   else if (const std::string option = unknownOption(*named.front()); !option.empty())
     what = "there is no option '" + option + "'. If that is a file, write ./" + option;
   else if (error.get_name() == "ArgumentMismatch")
@@ -50,12 +51,14 @@ Command parseArguments(int argc, const char* const* argv) {
       "  abflat flatten head.obj -o head-uv.obj\n"
       "  abflat flatten head.obj -o head-uv.obj --t 2 --report head.json\n"
       "  abflat pack robot.glb -o robot-packed.glb\n"
+      "  abflat bake robot.glb -o robot-baked.glb --texcoord 1\n"
       "  abflat inspect head.obj\n"
       "  abflat sample head -o head.obj\n\n" +
       exitCodeHelp());
   UnwrapCommand unwrap;
   FlattenCommand flatten;
   PackCommand pack;
+  BakeCommand bake;
   InspectCommand inspect;
   SampleCommand sample;
   SweepCommand sweep;
@@ -64,6 +67,7 @@ Command parseArguments(int argc, const char* const* argv) {
   const CLI::App* unwrapApp = addUnwrap(app, unwrap);
   const CLI::App* flattenApp = addFlatten(app, flatten);
   const CLI::App* packApp = addPack(app, pack);
+  const CLI::App* bakeApp = addBake(app, bake);
   const CLI::App* inspectApp = addInspect(app, inspect);
   const CLI::App* sampleApp = addSample(app, sample);
   const CLI::App* sweepApp = addSweep(app, sweep);
@@ -74,6 +78,7 @@ Command parseArguments(int argc, const char* const* argv) {
     if (unwrapApp->parsed()) checkTogether(unwrap);
     if (flattenApp->parsed()) checkTogether(flatten);
     if (packApp->parsed()) checkTogether(pack);
+    if (bakeApp->parsed()) checkTogether(bake);
     if (sweepApp->parsed()) checkTogether(sweep);
     if (compareApp->parsed()) checkTogether(compare);
   } catch (const CLI::Success& request) {
@@ -86,6 +91,7 @@ Command parseArguments(int argc, const char* const* argv) {
   if (unwrapApp->parsed()) return unwrap;
   if (flattenApp->parsed()) return flatten;
   if (packApp->parsed()) return pack;
+  if (bakeApp->parsed()) return bake;
   if (inspectApp->parsed()) return inspect;
   if (sampleApp->parsed()) return sample;
   if (sweepApp->parsed()) return sweep;

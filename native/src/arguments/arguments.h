@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "abflat/flatten.h"
+#include "abflat/generated/bake_options.h"
 #include "abflat/gltf.h"
 #include "abflat/pack_layout.h"
 #include "abflat/samples.h"
@@ -13,6 +14,12 @@
 #include "files/kept_faces.h"
 
 namespace abflat::cli {
+
+/// Whether textures are to follow the layout that a command makes, and how.
+struct Baking {
+  bool isWanted = false;
+  BakeOptionValues options;  ///< all but padding and threads, which are those of the layout
+};
 
 struct UnwrapCommand {
   std::string input, output;
@@ -24,7 +31,8 @@ struct UnwrapCommand {
   SeamSources seams;
   std::string seamFile;  ///< edges to cut along; empty: none
   KeptFaces keep;
-  std::string pins;        ///< file with pinned vertices; empty: none
+  std::string pins;  ///< file with pinned vertices; empty: none
+  Baking baking;
   std::string writeSeams;  ///< file for the edges that were cut; empty: not wanted
   std::string layout;      ///< picture of the atlas, .svg or .png; empty: not wanted
   double scale = 0;        ///< millimetres per mesh unit in an SVG; 0: pixels
@@ -39,7 +47,17 @@ struct PackCommand {
   GltfReadOptions gltf;
   std::string report;  ///< empty: not wanted
   PackOptionValues options;
+  Baking baking;
   std::string layout;  ///< picture of the atlas, .svg or .png; empty: not wanted
+  bool quiet = false;
+};
+
+struct BakeCommand {
+  std::string input, output;
+  bool allowsOutside = false;               ///< files that the mesh refers to may be anywhere
+  std::optional<std::size_t> texcoord = 1;  ///< number of the glTF set with the new layout
+  std::string report;                       ///< empty: not wanted
+  BakeOptionValues options;
   bool quiet = false;
 };
 
@@ -94,8 +112,9 @@ struct Finished {
   int exitCode = 0;
 };
 
-using Command = std::variant<Finished, UnwrapCommand, FlattenCommand, PackCommand, InspectCommand,
-                             SampleCommand, SweepCommand, CompareCommand, ReproduceCommand>;
+using Command =
+    std::variant<Finished, UnwrapCommand, FlattenCommand, PackCommand, BakeCommand, InspectCommand,
+                 SampleCommand, SweepCommand, CompareCommand, ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

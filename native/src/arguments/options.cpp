@@ -39,17 +39,6 @@ CLI::Validator resultName() {
       "");
 }
 
-/// `others`: what else the text may be.
-std::size_t texcoordSet(const char* option, const std::string& text, const char* others) {
-  constexpr double kLast = 7;
-  double number = 0;
-  if (!readNumber(text, number) || !(number >= 0 && number <= kLast) ||
-      number != std::floor(number))
-    throw CLI::ValidationError(option,
-                               "'" + text + "' is not " + others + "a whole number from 0 to 7");
-  return static_cast<std::size_t>(number);
-}
-
 }  // namespace
 
 std::string exitCodeHelp() {
@@ -120,6 +109,16 @@ void addPins(CLI::App& app, std::string& pins, const std::string& where) {
                          "seam, numbered from 0; - reads standard input"))
       ->check(notEmpty())
       ->type_name("FILE");
+}
+
+std::size_t texcoordSet(const char* option, const std::string& text, const char* others) {
+  constexpr double kLast = 7;
+  double number = 0;
+  if (!readNumber(text, number) || !(number >= 0 && number <= kLast) ||
+      number != std::floor(number))
+    throw CLI::ValidationError(option,
+                               "'" + text + "' is not " + others + "a whole number from 0 to 7");
+  return static_cast<std::size_t>(number);
 }
 
 void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set) {

@@ -31,6 +31,8 @@ void addOutput(CLI::App& app, std::string& output);
 void addPins(CLI::App& app, std::string& pins, const std::string& where);
 /// None means auto.
 void addTexcoordSet(CLI::App& app, std::optional<std::size_t>& set);
+/// The number of a set, from 0 to 7; `others`: what else the text may be, for the error message.
+std::size_t texcoordSet(const char* option, const std::string& text, const char* others);
 /// `help`: what is read from that set.
 void addReadTexcoord(CLI::App& app, std::size_t& set, const std::string& help);
 void addOwnTexels(CLI::App& app, bool& ownTexels);
@@ -44,13 +46,12 @@ inline bool isOff(const OptionInfo& info) { return std::string_view(info.default
 
 /// Adds an option of the schema, which provides its flag, range, default and help.
 template <class Values>
-void addOption(CLI::App& app, Values& values, int index) {
+CLI::Option* addOption(CLI::App& app, Values& values, int index) {
   const OptionInfo& info = optionInfos(values)[index];
   if (info.isSwitch) {
-    app.add_flag_callback(
+    return app.add_flag_callback(
         info.flag, [&values, index, on = isOff(info)] { setOption(values, index, on); },
         wrapped(info.help));
-    return;
   }
   const auto set = [&values, index](const std::string& text) {
     const OptionInfo& option = optionInfos(values)[index];
@@ -63,7 +64,7 @@ void addOption(CLI::App& app, Values& values, int index) {
     if (!setOption(values, index, value, isWord))
       throw CLI::ValidationError(option.flag, "must be " + wanted + ", not " + text);
   };
-  app.add_option_function<std::string>(info.flag, set, wrapped(info.help))
+  return app.add_option_function<std::string>(info.flag, set, wrapped(info.help))
       ->default_str(info.defaultText)
       ->type_name(info.isChoice ? "WORD" : "NUMBER");
 }

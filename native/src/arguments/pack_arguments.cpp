@@ -1,3 +1,4 @@
+#include "arguments/baking.h"
 #include "arguments/options.h"
 #include "arguments/pictures.h"
 #include "arguments/subcommands.h"
@@ -13,6 +14,7 @@ CLI::App* addPack(CLI::App& app, PackCommand& c) {
   addOutput(*sub, c.output);
   addLayoutPicture(*sub, c.layout);
   addOptions(*sub, c.options);
+  addBaking(*sub, c.baking);
   addTexcoordSet(*sub, c.texcoord);
   addReadTexcoord(*sub, c.gltf.texcoord,
                   "glTF set with the layout to pack: TEXCOORD_0 to TEXCOORD_7; one above 0 is also "
@@ -36,6 +38,7 @@ void checkTogether(const PackCommand& c) {
   if (!c.report.empty() && !c.layout.empty() && isSameTarget(c.report, c.layout))
     refuse("--layout", "is the same file as --report");
   checkUdim(c.options);
+  checkBaking(c.baking, c.output, c.options.udim);
   checkPicture("--layout", c.layout, c.options.resolution);
 }
 

@@ -9,6 +9,7 @@ namespace abflat::cli {
 CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c);
 CLI::App* addFlatten(CLI::App& app, FlattenCommand& c);
 CLI::App* addPack(CLI::App& app, PackCommand& c);
+CLI::App* addBake(CLI::App& app, BakeCommand& c);
 CLI::App* addInspect(CLI::App& app, InspectCommand& c);
 CLI::App* addSample(CLI::App& app, SampleCommand& c);
 CLI::App* addSweep(CLI::App& app, SweepCommand& c);
@@ -20,6 +21,7 @@ CLI::App* addReproduce(CLI::App& app, ReproduceCommand& c);
 void checkTogether(const UnwrapCommand& c);
 void checkTogether(const FlattenCommand& c);
 void checkTogether(const PackCommand& c);
+void checkTogether(const BakeCommand& c);
 void checkTogether(const SweepCommand& c);
 void checkTogether(const CompareCommand& c);
 

@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include "arguments/baking.h"
 #include "arguments/options.h"
 #include "arguments/pictures.h"
 #include "arguments/subcommands.h"
@@ -103,6 +104,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addPins(*sub, c.pins, " in the atlas (two or more per chart)");
   addPictures(*sub, c);
   addOptions(*sub, c.options);
+  addBaking(*sub, c.baking);
   addTexcoordSet(*sub, c.texcoord);
   addReadTexcoord(
       *sub, c.gltf.texcoord,
@@ -144,6 +146,7 @@ void checkTogether(const UnwrapCommand& c) {
   }
   checkUdim(c.options);
   checkPictures(c);
+  checkBaking(c.baking, c.output, c.options.udim);
   checkStandardInput(c);
 }
 

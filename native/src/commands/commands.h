@@ -8,6 +8,7 @@ namespace abflat::cli {
 int runUnwrap(const UnwrapCommand& command);
 int runFlatten(const FlattenCommand& command);
 int runPack(const PackCommand& command);
+int runBake(const BakeCommand& command);
 int runInspect(const InspectCommand& command);
 int runSample(const SampleCommand& command);
 int runSweep(const SweepCommand& command);

@@ -92,7 +92,7 @@ int runCompare(const CompareCommand& command) {
   };
   OutputFile out(command.json.empty() ? kStandardStream : command.json);
   if (const Status s = out.check(); !s.ok()) return ended(s);
-  const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
+  const Result<InputFile> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
   if (!input.ok()) return ended(input.status());
   ProgressLine line(isErrorTerminal());
   CompareOptions options;

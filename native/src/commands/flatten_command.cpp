@@ -15,6 +15,7 @@ struct FlattenJob {
   using Report = abflat::Report;
 
   static constexpr Repeated kRepeated = Repeated::Join;
+  static constexpr bool kBakes = false;
 
   static GltfReadOptions gltf(const FlattenCommand&) { return {}; }
   static bool keepsTexcoords(const FlattenCommand&) { return false; }
@@ -59,7 +60,7 @@ struct FlattenJob {
     return triangleCornersOf(mesh);
   }
 
-  static std::vector<std::uint32_t> turnFaces(InputMesh&, FlattenResult&) { return {}; }
+  static std::vector<std::uint32_t> turnFaces(InputFile&, FlattenResult&) { return {}; }
 
   static std::vector<ExtraFile<FlattenResult>> extraFiles(const FlattenCommand&) { return {}; }
   static std::string json(const Report& report) { return reportJson(report); }

@@ -15,7 +15,7 @@ int runInspect(const InspectCommand& command) {
     complain(status.message);
     return exitCodeOf(status.code);
   };
-  const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
+  const Result<InputFile> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
   if (!input.ok()) return ended(input.status());
   const Result<MeshSummary> summary = orOutOfMemory(name, [&]() -> Result<MeshSummary> {
     MeshSummary found = inspect(input.value().mesh);

@@ -10,6 +10,7 @@
 
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
+#include "baking/bake_look.h"
 #include "files/input_file.h"
 #include "files/layout_text.h"
 #include "files/out_of_memory.h"
@@ -28,6 +29,15 @@ auto placed(const std::string& name, const Work& work) -> decltype(work()) {
   if (!result.ok() && result.status().code != StatusCode::OutOfMemory)
     return Status{result.status().code, name + ": " + result.status().message};
   return result;
+}
+
+/// Options of baking for the layout of a command, if it is to bake.
+template <class Command>
+std::optional<BakeOptionValues> bakeOptions(const Command& command) {
+  if (!command.baking.isWanted) return {};
+  BakeOptionValues out = command.baking.options;
+  out.threads = command.options.threads;
+  return out;
 }
 
 /// A file that a command writes besides the mesh and the report.
@@ -49,6 +59,10 @@ struct ExtraFile {
 ///   json, summary, problem   texts of the report
 ///   triangleCorners   of a result and its mesh, as for makeGltf
 ///   turnFaces         turns the faces of the input that the result has turned, and returns them
+///   kBakes            whether it can bake; if so, also
+///   baking            options of baking, if that is asked for
+///   newLayout         of an outcome
+///   setBaking         puts what was baked into a report
 ///   extraFiles       further files, as a vector of ExtraFile<Outcome>
 template <class Job>
 class MeshRun {
@@ -104,7 +118,7 @@ class MeshRun {
   Result<Outcome> computeFromInput() {
     const std::string name = inputName(command_.input);
     progress_.show({Stage::Read, 0, 0, 0});
-    Result<InputMesh> input =
+    Result<InputFile> input =
         readInput(command_.input, {Job::kRepeated, command_.allowsOutside, Job::gltf(command_)});
     readSeconds_ = secondsSince(start_);
     if (!input.ok()) return input.status();
@@ -121,6 +135,7 @@ class MeshRun {
       return Status{StatusCode::InvalidOption,
                     name + ": the result is " + titleOf(written) + " and would replace this " +
                         titleOf(input_.format) + " file. Give --output another name"};
+    if (Status s = readLookToBake(); !s.ok()) return s;
     return Job::compute(command_, input_.mesh, [this](const Progress& p) {
       progress_.show(p);
       return true;
@@ -144,16 +159,54 @@ class MeshRun {
     if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + note});
   }
 
+  bool isBaked() const {
+    if constexpr (Job::kBakes) return Job::baking(command_).has_value();
+    return false;
+  }
+
+  /// Done before the work, so that an image that is no image costs no time.
+  Status readLookToBake() {
+    if (!isBaked()) return {};
+    if (!input_.gltf)
+      return {StatusCode::InvalidOption,
+              inputName(command_.input) + " is " + titleOf(input_.format) +
+                  ". --bake needs a glTF: write one with --texcoord 1, then use abflat bake"};
+    Result<OldLook> look = orOutOfMemory(
+        inputName(command_.input), [&] { return readOldLook(*input_.gltf, input_.readResource); });
+    if (look.ok()) oldLook_ = std::move(look.value());
+    return look.status();
+  }
+
+  /// The old look in the new layout, or nothing if it is not wanted.
+  Result<std::optional<GltfBaked>> bakeFor(Outcome& result,
+                                           const std::vector<std::uint32_t>& turned) {
+    std::optional<GltfBaked> out;
+    if constexpr (Job::kBakes) {
+      if (!oldLook_) return out;
+      const NewLayout layout = Job::newLayout(result, turned);
+      Result<NewLook> look = orOutOfMemory(inputName(command_.input), [&] {
+        return bakeLook(*oldLook_, layout, *Job::baking(command_));
+      });
+      if (!look.ok()) return look.status();
+      oldLook_.reset();
+      notes_.insert(notes_.end(), look.value().notes.begin(), look.value().notes.end());
+      Job::setBaking(look.value().report, result.report);
+      out = std::move(look.value().baked);
+    }
+    return out;
+  }
+
   /// Keeps textures of a glTF correct unless the user says otherwise.
   void chooseTexcoords() {
     const bool isChosen = command_.texcoord || Job::keepsTexcoords(command_);
-    if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf);
+    if (!isChosen) texcoord_ = freeTexcoord(*input_.gltf, isBaked());
     if (Job::keepsTexcoords(command_) && !command_.texcoord)
       texcoord_ = Job::gltf(command_).texcoord;
     if (texcoord_ > 0 && !isChosen) {
       notes_.push_back(texcoordNote(*input_.gltf, texcoord_));
       if (!command_.quiet) complainCleared({{}, inputName(command_.input) + ": " + notes_.back()});
     }
+    if (isBaked()) return;
     for (const std::string& note : staleNotes(*input_.gltf, texcoord_)) notes_.push_back(note);
   }
 
@@ -172,13 +225,19 @@ class MeshRun {
     progress_.show({Stage::Write, 0, 0, 0.98});
     const Clock::time_point begin = Clock::now();
     const std::string name = inputName(command_.input);
+    const Result<std::vector<std::uint32_t>> turned =
+        placed(name, [&]() -> Result<std::vector<std::uint32_t>> {
+          if (writtenFormat(command_.output) == FileFormat::Gltf)
+            if (Status s = readLook(input_); !s.ok()) return s;
+          return Job::turnFaces(input_, result);
+        });
+    if (!turned.ok()) return turned.status();
+    const Result<std::optional<GltfBaked>> baked = bakeFor(result, turned.value());
+    if (!baked.ok()) return baked.status();
     Result<std::string> layout = placed(name, [&]() -> Result<std::string> {
-      if (writtenFormat(command_.output) == FileFormat::Gltf)
-        if (Status s = readLook(input_); !s.ok()) return s;
-      const std::vector<std::uint32_t> turned = Job::turnFaces(input_, result);
-      return layoutText(
-          input_, command_.output, texcoord_,
-          {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result), turned});
+      return layoutText(input_, command_.output, texcoord_,
+                        {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result),
+                         turned.value(), baked.value() ? &*baked.value() : nullptr});
     });
     if (!layout.ok()) return layout.status();
     noteMade(Job::triangleCorners(input_.mesh, result));
@@ -232,7 +291,8 @@ class MeshRun {
   std::optional<OutputFile> report_;
   std::deque<OutputFile> extras_;
   std::vector<std::function<Result<std::string>(const PolygonMesh&, const Outcome&)>> extraTexts_;
-  InputMesh input_;
+  InputFile input_;
+  std::optional<OldLook> oldLook_;  ///< if it is to be baked
   std::vector<std::string> notes_;  ///< about reading and writing, one sentence each
   std::size_t texcoord_ = command_.texcoord.value_or(0);  ///< number of the glTF set to write
   double readSeconds_ = 0, writeSeconds_ = 0;

@@ -28,6 +28,7 @@ struct PackJob {
   using Report = PackReport;
 
   static constexpr Repeated kRepeated = Repeated::Stay;
+  static constexpr bool kBakes = true;
 
   static const GltfReadOptions& gltf(const PackCommand& command) { return command.gltf; }
   /// The first set may be that of textures, which fit only as it is.
@@ -51,7 +52,16 @@ struct PackJob {
     return result.triangleCorners;
   }
 
-  static std::vector<std::uint32_t> turnFaces(InputMesh&, PackLayoutResult&) { return {}; }
+  static std::vector<std::uint32_t> turnFaces(InputFile&, PackLayoutResult&) { return {}; }
+
+  static std::optional<BakeOptionValues> baking(const PackCommand& command) {
+    return bakeOptions(command);
+  }
+  static NewLayout newLayout(const PackLayoutResult& result,
+                             const std::vector<std::uint32_t>& turned) {
+    return {result.uv, result.cornerUv, turned, result.report.padding, result.report.resolution};
+  }
+  static void setBaking(const BakingReport& baking, PackReport& report) { report.baking = baking; }
 
   static std::vector<ExtraFile<PackLayoutResult>> extraFiles(const PackCommand& command) {
     if (command.layout.empty()) return {};

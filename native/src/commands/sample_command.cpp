@@ -12,7 +12,7 @@ namespace {
 Result<std::string> sampleText(const SampleCommand& command) {
   for (const Sample& sample : samples())
     if (sample.name == command.name) {
-      InputMesh input;
+      InputFile input;
       input.mesh = sample.make(command.detail);
       return layoutText(input, command.output, 0, {{}, {}, triangleCornersOf(input.mesh), {}});
     }

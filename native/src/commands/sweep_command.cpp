@@ -92,7 +92,7 @@ int runSweep(const SweepCommand& command) {
   };
   OutputFile out(command.csv.empty() ? kStandardStream : command.csv);
   if (const Status s = out.check(); !s.ok()) return ended(s);
-  const Result<InputMesh> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
+  const Result<InputFile> input = readInput(command.input, {Repeated::Join, command.allowsOutside});
   if (!input.ok()) return ended(input.status());
   std::vector<Row> rows;
   for (const double t : command.t) {

@@ -18,6 +18,7 @@ struct UnwrapJob {
   using Report = UnwrapReport;
 
   static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them and reports it
+  static constexpr bool kBakes = true;
 
   static const GltfReadOptions& gltf(const UnwrapCommand& command) { return command.gltf; }
   static bool keepsTexcoords(const UnwrapCommand& command) { return command.keep.hasUv; }
@@ -59,12 +60,23 @@ struct UnwrapJob {
     return result.triangleCorners;
   }
 
-  static std::vector<std::uint32_t> turnFaces(InputMesh& input, UnwrapResult& result) {
+  static std::vector<std::uint32_t> turnFaces(InputFile& input, UnwrapResult& result) {
     const std::vector<std::uint32_t>& faces = result.report.repair.turnedFaces;
     std::vector<std::uint32_t>& normals = input.look.faceNormals;
     if (!normals.empty()) normals = reordered(normals, turnedCorners(input.mesh, faces));
     abflat::turnFaces(input.mesh, result);
     return faces;
+  }
+
+  static std::optional<BakeOptionValues> baking(const UnwrapCommand& command) {
+    return bakeOptions(command);
+  }
+  static NewLayout newLayout(const UnwrapResult& result, const std::vector<std::uint32_t>& turned) {
+    const AtlasReport& atlas = result.report.atlas;
+    return {result.uv, result.cornerUv, turned, atlas.padding, atlas.resolution};
+  }
+  static void setBaking(const BakingReport& baking, UnwrapReport& report) {
+    report.baking = baking;
   }
 
   static std::vector<ExtraFile<UnwrapResult>> extraFiles(const UnwrapCommand& command) {

@@ -17,7 +17,7 @@ bool isGltf(const std::string& path, std::string_view bytes) {
   return named ? *named == FileFormat::Gltf : looksLikeGltf(bytes);
 }
 
-Status readGltfInput(const std::string& path, const GltfReadOptions& options, InputMesh& input) {
+Status readGltfInput(const std::string& path, const GltfReadOptions& options, InputFile& input) {
   Result<GltfModel> model = readGltf(input.bytes, inputName(path), input.readResource, options);
   if (!model.ok()) return model.status();
   std::string().swap(input.bytes);
@@ -28,7 +28,7 @@ Status readGltfInput(const std::string& path, const GltfReadOptions& options, In
   return {};
 }
 
-void joinRepeated(InputMesh& input) {
+void joinRepeated(InputFile& input) {
   const std::size_t joined = joinVertices(input.mesh);
   if (joined > 0)
     input.notes.push_back(std::to_string(joined) +
@@ -36,7 +36,7 @@ void joinRepeated(InputMesh& input) {
                           " treated as one");
 }
 
-Status readMeshInput(const std::string& path, InputMesh& input) {
+Status readMeshInput(const std::string& path, InputFile& input) {
   const std::string name = inputName(path);
   const Result<MeshFormat> format = detectFormat(name, input.bytes);
   if (!format.ok() && input.bytes.empty()) return format.status();
@@ -50,9 +50,9 @@ Status readMeshInput(const std::string& path, InputMesh& input) {
 
 }  // namespace
 
-Result<InputMesh> readInput(const std::string& path, const ReadOptions& options) {
-  return orOutOfMemory(inputName(path), [&]() -> Result<InputMesh> {
-    InputMesh out;
+Result<InputFile> readInput(const std::string& path, const ReadOptions& options) {
+  return orOutOfMemory(inputName(path), [&]() -> Result<InputFile> {
+    InputFile out;
     out.path = path;
     out.readResource = resourcesOf(path, options.allowsOutside);
     Result<std::string> bytes = readBytes(path);
@@ -66,7 +66,7 @@ Result<InputMesh> readInput(const std::string& path, const ReadOptions& options)
   });
 }
 
-Status readLook(InputMesh& input) {
+Status readLook(InputFile& input) {
   const std::optional<MeshFormat> ofCore = coreFormat(input.format);
   if (!ofCore) return {};
   Result<Appearance> look = readAppearance(input.bytes, *ofCore, input.mesh, input.readResource);

@@ -10,7 +10,8 @@
 
 namespace abflat::cli {
 
-struct InputMesh {
+/// The mesh to work on, and whatever else its file has.
+struct InputFile {
   std::string bytes;  ///< empty for a glTF, since `gltf` holds them
   FileFormat format = FileFormat::Obj;
   PolygonMesh mesh;
@@ -35,10 +36,10 @@ struct ReadOptions {
 
 /// Reads a mesh from a file together with the files that it refers to, or from standard input if
 /// `path` is "-". Errors: UnreadableFile, ParseError, OutOfMemory; messages name the file.
-Result<InputMesh> readInput(const std::string& path, const ReadOptions& options);
+Result<InputFile> readInput(const std::string& path, const ReadOptions& options);
 
 /// Reads what a glTF can store of the mesh beyond its shape, also from files that the input refers
 /// to. Does nothing for a glTF, which already has that.
-Status readLook(InputMesh& input);
+Status readLook(InputFile& input);
 
 }  // namespace abflat::cli

@@ -22,7 +22,7 @@ std::string pathBetween(const std::string& from, const std::string& to) {
 
 }  // namespace
 
-Result<std::string> layoutText(const InputMesh& input, const std::string& path, std::size_t set,
+Result<std::string> layoutText(const InputFile& input, const std::string& path, std::size_t set,
                                const WrittenLayout& now) {
   const FileFormat format = writtenFormat(path);
   const std::string_view source = input.format == format ? input.bytes : std::string_view();
@@ -36,6 +36,7 @@ Result<std::string> layoutText(const InputMesh& input, const std::string& path, 
   options.isBinary = isBinary;
   options.texcoord = set;
   options.turnedFaces = now.turnedFaces;
+  options.baked = now.baked;
   options.pathToSource = pathBetween(path, input.path);
   return writeGltf(*input.gltf, now.uv, now.ofCorner, options);
 }

@@ -15,11 +15,12 @@ struct WrittenLayout {
   const std::vector<std::uint32_t>& ofCorner;         ///< per face corner
   const std::vector<std::uint32_t>& triangleCorners;  ///< as for makeGltf
   const std::vector<std::uint32_t>& turnedFaces;  ///< that the mesh has turned since it was read
+  const GltfBaked* baked = nullptr;               ///< as in GltfWriteOptions
 };
 
 /// The content to write to `path`: the input with these texcoords, see writeMesh,
 /// writeGltf and makeGltf. `set` is the number of the texcoord set in a glTF. Errors: CannotWrite.
-Result<std::string> layoutText(const InputMesh& input, const std::string& path, std::size_t set,
+Result<std::string> layoutText(const InputFile& input, const std::string& path, std::size_t set,
                                const WrittenLayout& now);
 
 }  // namespace abflat::cli

@@ -62,10 +62,10 @@ Result<std::vector<fs::path>> meshFiles(const std::string& folder) {
   return out;
 }
 
-Result<InputMesh> load(const Model& model) {
+Result<InputFile> load(const Model& model) {
   if (!model.path.empty()) return readInput(model.path, {});
-  return orOutOfMemory(model.name, [&]() -> Result<InputMesh> {
-    InputMesh out;
+  return orOutOfMemory(model.name, [&]() -> Result<InputFile> {
+    InputFile out;
     for (const Sample& sample : samples())
       if (sample.name == model.sample) out.mesh = sample.make(kMinSampleDetail);
     return out;
@@ -99,7 +99,7 @@ double secondsOf(const Report& report) {
 }
 
 Experiment::Experiment(const Model& model) : model_(model) {
-  Result<InputMesh> input = load(model);
+  Result<InputFile> input = load(model);
   status_ = input.status();
   if (!status_.ok()) return;
   mesh_ = std::move(input.value().mesh);

@@ -98,6 +98,17 @@ std::string shapesText(const std::vector<UnwrapChart>& charts) {
   return out.empty() ? out : out + ")";
 }
 
+/// A line about the images that were baked; empty if none were.
+std::string bakingText(const BakingReport& baking) {
+  std::string out;
+  for (const BakedMap& map : baking.maps) {
+    const std::string side = std::to_string(map.resolution);
+    out.append(out.empty() ? "  baked " : ", ").append(map.map).append(" ");
+    out.append(side).append(" x ").append(side);
+  }
+  return out.empty() ? out : out + "\n";
+}
+
 std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
                        const std::string& outputName) {
   std::ostringstream out;
@@ -123,10 +134,35 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
     out << "  " << counted(static_cast<std::size_t>(report.atlas.packingCuts), "cut", "cuts")
         << " to pack tighter (without: " << report.atlas.uncutTexelDensity << " texels per unit)\n";
   if (report.atlas.stackedCharts > 0) out << "  " << stackedText(report.atlas) << "\n";
+  if (report.baking) out << bakingText(*report.baking);
   for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
   return out.str();
 }
+
+namespace {
+
+std::string packedText(const PackReport& report) {
+  std::ostringstream out;
+  out << std::setprecision(3) << "  atlas: " << tilesText(report.tiles, report.resolution) << ", "
+      << 100 * report.utilizationBefore << " % used before, " << 100 * report.utilization
+      << " % now; lengths in uv are " << report.scale << " times what they were, "
+      << report.texelDensity << " texels per unit\n";
+  return out.str();
+}
+
+/// Of a layout that stays as it is.
+std::string judgedText(const PackReport& report) {
+  std::ostringstream out;
+  out << std::setprecision(3) << "  layout: " << tilesText(report.tiles, report.resolution) << ", "
+      << 100 * report.utilization << " % used, " << report.texelDensity << " texels per unit\n"
+      << "  faces: " << report.facesOverlapping << " overlapping, " << report.facesFlipped
+      << " flipped, " << report.facesEmpty << " without area, " << report.facesOutside
+      << " outside\n";
+  return out.str();
+}
+
+}  // namespace
 
 std::string packText(const PackReport& report, const std::string& inputName,
                      const std::string& outputName) {
@@ -135,12 +171,21 @@ std::string packText(const PackReport& report, const std::string& inputName,
   out << printable(inputName) << " -> " << printable(outputName) << "\n"
       << "  " << counted(report.islands, "island", "islands")
       << (report.mirrored > 0 ? ", " + std::to_string(report.mirrored) + " mirrored" : "") << "\n"
-      << "  atlas: " << tilesText(report.tiles, report.resolution) << ", "
-      << 100 * report.utilizationBefore << " % used before, " << 100 * report.utilization
-      << " % now; lengths in uv are " << report.scale << " times what they were, "
-      << report.texelDensity << " texels per unit\n";
+      << (report.options.keepPlaces ? judgedText(report) : packedText(report));
+  if (report.baking) out << bakingText(*report.baking);
   for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
   out << "  " << (report.valid ? "valid" : "not valid") << ", " << report.timings.total << " s\n";
+  return out.str();
+}
+
+std::string bakeText(const BakeReport& report, const std::string& inputName,
+                     const std::string& outputName) {
+  std::ostringstream out;
+  out << std::setprecision(3);
+  out << printable(inputName) << " -> " << printable(outputName) << "\n";
+  if (report.baking) out << bakingText(*report.baking);
+  for (const std::string& note : report.notes) out << "  " << printable(note) << "\n";
+  out << "  " << report.timings.total << " s\n";
   return out.str();
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "abflat/bake.h"
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "abflat/pack_layout.h"
@@ -19,6 +20,10 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
 
 /// The same for a layout that has been packed again.
 std::string packText(const PackReport& report, const std::string& inputName,
+                     const std::string& outputName);
+
+/// The same for textures in another layout.
+std::string bakeText(const BakeReport& report, const std::string& inputName,
                      const std::string& outputName);
 
 /// An aligned table of a mesh's properties.

@@ -29,3 +29,24 @@ TEST_CASE("a resolution that keeps the density of the old textures") {
   input.materials[0].texture = kNoTexture;
   CHECK(bakeResolution(input) == 0);
 }
+
+TEST_CASE("the side of a new image is the power of two that is nearest, within bounds") {
+  const auto sideFor = [](std::uint32_t texels, double scale = 1) {
+    const Image texture(texels, texels, 1);
+    BakeInput input = squareWith(texture, unchanged);
+    input.materials[0].scale = {scale, scale};
+    return bakeSide(input, 0);
+  };
+  CHECK(sideFor(64) == 64);
+  // sqrt(2) is between.
+  CHECK(sideFor(90) == 64);
+  CHECK(sideFor(91) == 128);
+  CHECK(sideFor(2) == 16);
+  CHECK(sideFor(64, 1e4) == 8192);
+  const Image texture(64, 64, 1);
+  BakeInput input = squareWith(texture, unchanged);
+  input.materials[0].texture = kNoTexture;
+  CHECK(bakeSide(input, 0) == 1024);
+  CHECK(bakeSide(input, 300) == 300);
+  CHECK(bakeSide(input, 32768) == 8192);
+}

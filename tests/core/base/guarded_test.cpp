@@ -74,20 +74,26 @@ TEST_CASE("public functions report lack of memory, leak nothing and work again")
   SECTION("compare") {
     checkWithLittleMemory([&] { return ended(compare(mesh, {}).status(), ""); });
   }
-  SECTION("for C") {
-    const abflat_mesh triangles = {mesh.positions.data(),    0, 0, mesh.vertexCount(),
-                                   mesh.faceVertices.data(), 0, 0, mesh.faceVertices.size() / 3};
-    checkWithLittleMemory([&] {
-      abflat_result* result = nullptr;
-      const int status = abflat_unwrap(&triangles, nullptr, nullptr, nullptr, &result);
-      std::size_t count = 0;
-      const double* const uv = result ? abflat_uv(result, &count) : nullptr;
-      const auto* const bytes = reinterpret_cast<const char*>(uv);
-      const Ended out = ended({static_cast<StatusCode>(status), {}},
-                              std::string_view(bytes, 2 * count * sizeof(double)));
-      abflat_free_result(result);
-      return out;
-    });
+  for (const auto call : {abflat_unwrap, abflat_pack}) {
+    DYNAMIC_SECTION((call == abflat_pack ? "pack" : "unwrap") << " for C") {
+      abflat_mesh triangles{};
+      triangles.positions = triangles.texcoords = mesh.positions.data();
+      triangles.texcoord_stride = 3 * sizeof(double);
+      triangles.vertex_count = mesh.vertexCount();
+      triangles.triangles = mesh.faceVertices.data();
+      triangles.triangle_count = mesh.faceVertices.size() / 3;
+      checkWithLittleMemory([&] {
+        abflat_result* result = nullptr;
+        const int status = call(&triangles, nullptr, nullptr, nullptr, &result);
+        std::size_t count = 0;
+        const double* const uv = result ? abflat_uv(result, &count) : nullptr;
+        const auto* const bytes = reinterpret_cast<const char*>(uv);
+        const Ended out = ended({static_cast<StatusCode>(status), {}},
+                                std::string_view(bytes, 2 * count * sizeof(double)));
+        abflat_free_result(result);
+        return out;
+      });
+    }
   }
   SECTION("bake") {
     const std::vector<std::uint8_t> pixels(3 * 64 * 64, 100);

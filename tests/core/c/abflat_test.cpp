@@ -1,10 +1,12 @@
 #include "abflat/abflat.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
 
+#include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
 #include "abflat/version.h"
 #include "catch.h"
@@ -21,18 +23,30 @@ struct Options {
   int set(const char* name, const char* value) const { return abflat_set_option(all, name, value); }
 };
 
-struct Unwrapped {
+template <auto call>
+struct Outcome {
   abflat_result* result = nullptr;
   int status = 0;
-  ~Unwrapped() { abflat_free_result(result); }
-  explicit Unwrapped(const abflat_mesh& mesh, const abflat_options* options = nullptr,
-                     abflat_progress progress = nullptr, void* user = nullptr)
-      : status(abflat_unwrap(&mesh, options, progress, user, &result)) {}
+  ~Outcome() { abflat_free_result(result); }
+  explicit Outcome(const abflat_mesh& mesh, const abflat_options* options = nullptr,
+                   abflat_progress progress = nullptr, void* user = nullptr)
+      : status(call(&mesh, options, progress, user, &result)) {}
 };
+using Unwrapped = Outcome<abflat_unwrap>;
+using Packed = Outcome<abflat_pack>;
 
 abflat_mesh arraysOf(const PolygonMesh& mesh) {
-  return {mesh.positions.data(),    0, 0, mesh.vertexCount(),
-          mesh.faceVertices.data(), 0, 0, mesh.faceCount()};
+  return {mesh.positions.data(),
+          0,
+          0,
+          mesh.vertexCount(),
+          mesh.faceVertices.data(),
+          0,
+          0,
+          mesh.faceCount(),
+          nullptr,
+          0,
+          0};
 }
 
 template <class T>
@@ -132,6 +146,52 @@ TEST_CASE("numbers of vertices may have 2, 4 or 8 bytes, between other data", "[
   CHECK(std::string(abflat_status_name(refused.status)) == "InvalidMesh");
 }
 
+TEST_CASE("packing from C gives what it gives from C++", "[c]") {
+  PolygonMesh mesh =
+      makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 5, 0, 0, 6, 0, 0, 5, 2, 0, 9, 9, 9},
+                       {0, 1, 2, 1, 3, 2, 4, 5, 6, 3, 1, 7});
+  struct Texcoord {
+    float at[2];
+    char other;
+  };
+  const std::vector<Texcoord> texcoords = {
+      {{0, 0}, 0},         {{0.5f, 0}, 0},     {{0, 0.5f}, 0},     {{0.5f, 0.5f}, 0},
+      {{0.25f, 0.25f}, 0}, {{0.75f, 0.5f}, 0}, {{2.5f, 0.75f}, 0}, {{std::nanf(""), 0}, 0}};
+  for (const Texcoord& t : texcoords)
+    mesh.texcoords.insert(mesh.texcoords.end(), {t.at[0], t.at[1]});
+  for (const std::uint32_t v : mesh.faceVertices)
+    mesh.faceTexcoords.push_back(v == 7 ? kNoTexcoord : v);
+  PackLayoutOptions options;
+  options.islandSizes = IslandSizes::Even;
+  options.padding = 5;
+  const PackLayoutResult packed = packLayout(mesh, options).value();
+  REQUIRE(packed.report.valid);
+  const PackedVertices expected = packedVertices(mesh, packed);
+
+  const Options set;
+  REQUIRE(set.set("islandSizes", "even") == 0);
+  REQUIRE(set.set("padding", "5") == 0);
+  abflat_mesh arrays = arraysOf(mesh);
+  arrays.texcoords = texcoords.front().at;
+  arrays.texcoords_are_floats = 1;
+  arrays.texcoord_stride = sizeof(Texcoord);
+  const Packed got(arrays, set.all);
+  REQUIRE(got.status == 0);
+  CHECK(abflat_is_valid(got.result) == 1);
+  std::size_t vertices = 0, triangles = 0;
+  CHECK(copied(abflat_uv(got.result, &vertices), expected.uv.size()) == expected.uv);
+  CHECK(copied(abflat_vertices(got.result, nullptr), vertices) == expected.vertexMap);
+  CHECK(copied(abflat_triangles(got.result, &triangles), 12) == expected.triangles);
+  CHECK(triangles == 4);
+  CHECK(copied(abflat_charts(got.result, nullptr), triangles) == expected.islandOfTriangle);
+  CHECK(std::string(abflat_report(got.result)).find("\"islands\": 2") != std::string::npos);
+
+  const Packed without(arraysOf(mesh));
+  CHECK(std::string(abflat_status_name(without.status)) == "NoTexcoords");
+  arrays.vertex_count -= 1;
+  CHECK(std::string(abflat_status_name(Packed(arrays).status)) == "InvalidMesh");
+}
+
 TEST_CASE("C learns what is wrong", "[c]") {
   const Options options;
   CHECK(std::string(abflat_status_name(options.set("maxStrech", "2"))) == "InvalidOption");
@@ -155,7 +215,7 @@ TEST_CASE("C learns what is wrong", "[c]") {
   std::size_t count = 1;
   abflat_uv(outside.result, &count);
   CHECK(count == 0);
-  const Unwrapped empty({nullptr, 0, 0, 0, nullptr, 0, 0, 0});
+  const Unwrapped empty(abflat_mesh{});
   CHECK(std::string(abflat_status_name(empty.status)) == "EmptyMesh");
 }
 

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "cut/edge_bends.h"
+#include "cut/normals_around.h"
 #include "mesh/triangle_geometry.h"
 #include "support/cut_meshes.h"
 #include "support/meshes.h"
@@ -13,26 +14,6 @@ using namespace abflat;
 using namespace abflat::test;
 
 namespace {
-
-/// A ball with hollows around a direction, as eyes, cheeks and a mouth.
-PolygonMesh dentedBall(const Vec3& toward) {
-  PolygonMesh mesh = uvSphere(64, 40);
-  const Vec3 aside = std::abs(toward[0]) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
-  const Vec3 across = cross(toward, aside);
-  for (const double turn : {0.0, 1.25, 2.5, 3.75, 5.0}) {
-    const Vec3 other = cross(toward, across);
-    Vec3 at{};
-    for (std::size_t d = 0; d < 3; ++d)
-      at[d] = toward[d] + 0.7 * (std::cos(turn) * across[d] + std::sin(turn) * other[d]);
-    for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
-      double* const p = &mesh.positions[i];
-      const double angle = angleBetween({p[0], p[1], p[2]}, at);
-      const double deep = 0.35 * std::exp(-angle * angle / 0.04);
-      for (std::size_t d = 0; d < 3; ++d) p[d] *= 1 - deep;
-    }
-  }
-  return mesh;
-}
 
 /// The sum of the directions that edges in the front face; zero if there is no front.
 Vec3 frontOf(const PolygonMesh& polygons, std::size_t upAxis = 1) {
@@ -66,6 +47,46 @@ TEST_CASE("nobody looks up or down at a front", "[seams]") {
   const Vec3 found = frontOf(dentedBall({0, 1, 0}), 2);
   REQUIRE(norm(found) > 0);
   CHECK(angleBetween(found, {0, 1, 0}) < 0.3);
+}
+
+TEST_CASE("a figure on its back looks up", "[seams]") {
+  const Vec3 lying = frontOf(dentedBall({0, 0.9, 0.436}));
+  REQUIRE(norm(lying) > 0);
+  CHECK(angleBetween(lying, {0, 1, 0}) < 0.5);
+  const Vec3 bowed = frontOf(dentedBall({0, 0.6, 0.8}));
+  REQUIRE(norm(bowed) > 0);
+  CHECK(angleBetween(bowed, {0, 0, 1}) < 0.8);
+}
+
+TEST_CASE("the sides of a nose face where the face does", "[seams]") {
+  PolygonMesh mesh = bumpyGrid(40, 40, 0, 1);
+  const SeamMesh flat = Cuttable(mesh).seamMesh;
+  const auto height = [&](double x, double y) {
+    return 0.08 * std::exp(-(x * x + y * y) / (2 * 0.03 * 0.03));
+  };
+  double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    if (i % 3 < 2) {
+      low[i % 3] = std::min(low[i % 3], mesh.positions[i]);
+      high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
+    }
+  const double side = high[0] - low[0];
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+    const double x = (mesh.positions[i] - (low[0] + high[0]) / 2) / side;
+    const double y = (mesh.positions[i + 1] - (low[1] + high[1]) / 2) / side;
+    mesh.positions[i + 2] = side * height(x, y);
+  }
+  const SeamMesh nose = Cuttable(mesh).seamMesh;
+  const NormalsAround around(nose);
+  const Vec3 up = unitNormal(flat.positions, verticesOf(flat.vertexOfCorner, SurfaceTriangle(0)));
+  double steepest = 0, most = 0;
+  for (const SurfaceCorner h : nose.corners()) {
+    const Vec3 own = unitNormal(nose.positions, verticesOf(nose.vertexOfCorner, triangleOf(h)));
+    steepest = std::max(steepest, angleBetween(own, up));
+    most = std::max(most, angleBetween(around.at(h), up));
+  }
+  CHECK(steepest > 0.9);
+  CHECK(most < 0.5);
 }
 
 TEST_CASE("balls, boxes and tubes have no front", "[seams]") {

@@ -1,5 +1,6 @@
 #include "exact/overlap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -104,4 +105,40 @@ TEST_CASE("overlap: between groups only, whichever way round") {
   const std::vector<double> uv = {0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 2, 0, 3, 0, 2, 1};
   CHECK(findOverlapBetween(uv, {0, 1, 2}) == std::array<std::uint32_t, 2>{0, 1});
   CHECK(!findOverlapBetween(uv, {0, 0, 2}));
+}
+
+TEST_CASE("all triangles that overlap another are found, as by comparing each two", "[overlap]") {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> place(0, 24), size(-2, 2);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<double> uv;
+    for (int i = 0; i < 60; ++i) {
+      const double u = place(random), v = place(random);
+      uv.insert(uv.end(),
+                {u, v, u + size(random), v + size(random), u + size(random), v + size(random)});
+      if (i % 10 == 0) uv.insert(uv.end(), uv.end() - 6, uv.end());  // a copy
+    }
+    const std::vector<std::uint8_t> found = overlappingTriangles(uv);
+    const std::size_t count = uv.size() / 6;
+    REQUIRE(found.size() == count);
+    for (std::size_t i = 0; i < count; ++i) {
+      bool overlapsAny = false;
+      for (std::size_t j = 0; j < count; ++j) {
+        if (i == j) continue;
+        std::vector<double> both(uv.begin() + static_cast<std::ptrdiff_t>(6 * i),
+                                 uv.begin() + static_cast<std::ptrdiff_t>(6 * i + 6));
+        both.insert(both.end(), uv.begin() + static_cast<std::ptrdiff_t>(6 * j),
+                    uv.begin() + static_cast<std::ptrdiff_t>(6 * j + 6));
+        overlapsAny = overlapsAny || findOverlapBetween(both, {0, 1}).has_value();
+      }
+      CHECK((found[i] != 0) == overlapsAny);
+    }
+  }
+}
+
+TEST_CASE("thousands of copies of a triangle all overlap", "[overlap]") {
+  std::vector<double> uv;
+  for (int i = 0; i < 20000; ++i) uv.insert(uv.end(), {0, 0, 1, 0, 0, 1});
+  const std::vector<std::uint8_t> found = overlappingTriangles(uv);
+  CHECK(std::count(found.begin(), found.end(), 1) == 20000);
 }

@@ -221,3 +221,78 @@ TEST_CASE("pack layout: areas of any unit, and layouts without area") {
   mesh = meshOf({{0.5, 0.5, 0, 0}, {0.25, 0.5, 0.5, 0}});
   CHECK(packed(mesh).report.texelDensity == 0);
 }
+
+TEST_CASE("pack layout: vertices stay, and are copied where islands that moved apart shared one") {
+  PolygonMesh mesh;
+  mesh.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0, 7, 7, 7};
+  mesh.faceOffsets = {0, 4, 8, 11};
+  mesh.faceVertices = {0, 1, 2, 3, 1, 4, 5, 2, 0, 3, 5};
+  mesh.texcoords = {0, 0, 1, 0, 1, 1, 0, 1, 5, 0, 6, 0, 6, 1, 5, 1};
+  mesh.faceTexcoords = {0, 1, 2, 3, 4, 5, 6, 7, kNoTexcoord, kNoTexcoord, kNoTexcoord};
+  const PackLayoutResult r = packed(mesh);
+  const PackedVertices v = packedVertices(mesh, r);
+  CHECK(v.islandOfTriangle == std::vector<std::uint32_t>{0, 0, 1, 1, kNoIsland});
+  // 1 and 2 are in both squares; 0, 3 and 5 are in a triangle without texcoords, too.
+  REQUIRE(v.vertexMap.size() == 7 + 5);
+  for (std::uint32_t i = 0; i < 7; ++i) CHECK(v.vertexMap[i] == i);
+  CHECK(v.uv.size() == 2 * v.vertexMap.size());
+  CHECK(v.uv[12] == 0);  // no face has vertex 6
+  REQUIRE(v.triangles.size() == r.triangleCorners.size());
+  for (std::size_t i = 0; i < v.triangles.size(); ++i) {
+    const std::uint32_t c = r.triangleCorners[i], at = v.triangles[i];
+    CHECK(v.vertexMap[at] == mesh.faceVertices[c]);
+    const std::array<double, 2> uv =
+        r.cornerUv[c] == kNoTexcoord ? std::array<double, 2>{} : ::at(r, c);
+    CHECK(std::array<double, 2>{v.uv[2 * at], v.uv[2 * at + 1]} == uv);
+  }
+}
+
+TEST_CASE("pack layout: what stays where it is comes back as it was, and is judged") {
+  const PolygonMesh mesh = meshOf({{0.1, 0.1, 0.3, 0.3},
+                                   {0.35, 0.1, 0.3, 0.3},
+                                   {0.1, 0.6, 0.2, 0.2, true},
+                                   {1.9, 0.5, 0.2, 0.2},
+                                   {0.7, 0.7, 0.1, 0}});
+  PackLayoutOptions options;
+  options.keepPlaces = true;
+  Result<PackLayoutResult> result = packLayout(mesh, options);
+  REQUIRE(result.ok());
+  const PackLayoutResult& r = result.value();
+  CHECK(r.uv == mesh.texcoords);
+  CHECK(r.report.islands == 5);
+  CHECK(r.report.scale == 1);
+  CHECK(r.report.utilization == r.report.utilizationBefore);
+  CHECK(r.report.facesOverlapping == 2);
+  CHECK(r.report.facesFlipped == 1);
+  CHECK(r.report.facesOutside == 1);
+  CHECK(r.report.facesEmpty == 1);
+  CHECK_FALSE(r.report.valid);
+  CHECK(r.faults.size() == r.triangleCorners.size() / 3);
+  for (const Precision precision : {Precision::Single, Precision::Gltf}) {
+    PolygonMesh rounded = mesh;
+    options.precision = precision;
+    rounded.texcoords = packLayout(mesh, options).value().uv;
+    CHECK(packLayout(rounded, options).value().uv == rounded.texcoords);
+  }
+}
+
+TEST_CASE("pack layout: what stays is judged by the tiles that it is in, if there are several") {
+  const PolygonMesh mesh = meshOf({{0.1, 0.1, 0.3, 0.3}, {1.2, 0.1, 0.3, 0.3}});
+  PackLayoutOptions options;
+  options.keepPlaces = true;
+  CHECK(packLayout(mesh, options).value().report.facesOutside == 1);
+  options.udim = true;
+  const PackLayoutResult r = packed(mesh, options);
+  CHECK(r.report.facesOutside == 0);
+  CHECK(r.report.tiles == 2);
+}
+
+TEST_CASE("pack layout: faults of triangles are in the order of the mesh, without an island none") {
+  PolygonMesh mesh = meshOf({{2, 2, 0.3, 0.3}, {0.1, 0.1, 0.3, 0.3}, {3, 3, 0.1, 0.1}});
+  for (std::size_t c = 0; c < 4; ++c) mesh.faceTexcoords[c] = kNoTexcoord;
+  PackLayoutOptions options;
+  options.keepPlaces = true;
+  const auto outside = static_cast<std::uint8_t>(UvFault::Outside);
+  CHECK(packLayout(mesh, options).value().faults ==
+        std::vector<std::uint8_t>{0, 0, 0, 0, outside, outside});
+}

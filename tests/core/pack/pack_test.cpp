@@ -93,6 +93,26 @@ TEST_CASE("no texel has two charts, and padding lies between them", "[pack]") {
       }
 }
 
+TEST_CASE("the margin at the edge of the tile is as asked, whatever the padding", "[pack]") {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", 12, 5, 8);
+  PackOptions options = at(256, 4);
+  const double usual = packed(shapes, options).scale;
+  for (const int margin : {0, 1, 2, 5, 30}) {
+    CAPTURE(margin);
+    options.margin = margin;
+    checkPacked(shapes, options);
+    const double scale = packed(shapes, options).scale;
+    if (margin == 2) CHECK(scale == usual);
+    if (margin == 30) CHECK(scale < usual);
+  }
+  options.margin = 127;
+  const Result<Packing> crowded = pack(shapes, options);
+  CHECK(crowded.status().code == StatusCode::AtlasTooSmall);
+  CHECK(crowded.status().message.find("lower the margin") != std::string::npos);
+  options.margin = 128;
+  CHECK(pack(shapes, options).status().code == StatusCode::InvalidOption);
+}
+
 TEST_CASE("the same where cells are larger than texels", "[pack]") {
   for (const std::size_t count : {3, 30})
     for (const int padding : {0, 4, 9}) {

@@ -29,7 +29,9 @@ std::vector<Outline> boxes(std::size_t count, unsigned seed) {
 }
 
 QuickFit fitOf(const std::vector<Outline>& outlines) {
-  QuickFit out(1024, 2, Rotate::Free, 96);
+  PackOptions options;
+  options.rotate = Rotate::Free;
+  QuickFit out(options, 96);
   for (const Outline& outline : outlines) out.add(out.itemOf(outline));
   return out;
 }

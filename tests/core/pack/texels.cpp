@@ -74,7 +74,7 @@ std::vector<double> placed(const PackShape& shape, const Placement& placement, b
 
 std::string complaint(const std::vector<PackShape>& shapes, const Packing& packing,
                       const PackOptions& options, bool toSingle) {
-  const int side = options.resolution, padding = options.padding;
+  const int side = options.resolution, padding = options.padding, margin = marginOf(options);
   std::vector<std::vector<std::int32_t>> owner(
       packing.tiles, std::vector<std::int32_t>(static_cast<std::size_t>(side * side), -1));
   const auto at = [&](const Placement& p, int x, int y) -> std::int32_t& {
@@ -92,7 +92,7 @@ std::string complaint(const std::vector<PackShape>& shapes, const Packing& packi
     for (const auto& [x, y] : touched[i]) {
       // The line that closes the last texel belongs to no texel after it.
       if (x < 0 || y < 0 || x >= side || y >= side) {
-        if (padding > 0) return chart + " touches the border";
+        if (margin > 0) return chart + " touches the border";
         continue;
       }
       if (at(p, x, y) >= 0) return chart + " shares a texel with " + std::to_string(at(p, x, y));
@@ -101,8 +101,7 @@ std::string complaint(const std::vector<PackShape>& shapes, const Packing& packi
   }
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (const auto& [x, y] : touched[i]) {
-      const int border = (padding + 1) / 2;
-      if (std::min(x, y) < border || std::max(x, y) >= side - border)
+      if (std::min(x, y) < margin || std::max(x, y) >= side - margin)
         return "chart " + std::to_string(i) + " is too near to the border";
       for (int v = std::max(y - padding, 0); v <= std::min(y + padding, side - 1); ++v)
         for (int u = std::max(x - padding, 0); u <= std::min(x + padding, side - 1); ++u) {

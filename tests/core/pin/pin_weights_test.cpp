@@ -5,7 +5,6 @@
 
 #include "abflat/flatten.h"
 #include "catch.h"
-#include "pin/conformal_energy.h"
 #include "support/meshes.h"
 
 using namespace abflat;

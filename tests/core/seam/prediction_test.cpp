@@ -45,6 +45,20 @@ TEST_CASE("the log-scale of a half sphere is that of stereographic projection", 
         Approx((1 + 0.5 * 7.0 / 3) / 2).epsilon(0.01));
 }
 
+TEST_CASE("stretch counts less where there is leeway", "[seams]") {
+  const Cuttable c(sample("hemisphere"));
+  const CutSurface s = uncut(c);
+  const LogScales u = LogScale(c.seamMesh, nullptr).solve(s, {});
+  const Prediction plain = predictStretch(c.seamMesh, s, u);
+  SeamMesh half = c.seamMesh;
+  half.front.assign(half.triangleCount(), 0.5);
+  half.frontLeeway = 9;
+  const Prediction told = predictStretch(half, s, u);
+  CHECK(told.leeway.front() == Approx(5));
+  CHECK(5 * (told.stretch.front() - 1) == Approx(plain.stretch.front() - 1));
+  CHECK(told.total == Approx(plain.total));
+}
+
 TEST_CASE("a flat chart keeps its scale and its outline", "[seams]") {
   const Cuttable c(squares(9, 4, [](std::uint32_t i, std::uint32_t j) { return i < 3 || j < 2; }));
   const CutSurface s = uncut(c);

@@ -7,6 +7,7 @@
 #include "mesh/corner_table.h"
 #include "solve/angle_solver.h"
 #include "solve/delaunay_system.h"
+#include "solve/newton_system.h"
 #include "support/dense_kkt.h"
 #include "support/instrumented.h"
 #include "support/meshes.h"

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "solve/active_set.h"
+#include "solve/newton_system.h"
 #include "support/meshes.h"
 #include "support/problems.h"
 

@@ -9,6 +9,7 @@
 
 #include "abflat/io.h"
 #include "base/constants.h"
+#include "mesh/triangle_geometry.h"
 
 namespace abflat::test {
 namespace {
@@ -80,6 +81,25 @@ PolygonMesh uvSphere(unsigned columns, unsigned rows) {
       if (j > 0) face(a, b, d);
       if (j + 1 < rows) face(b, c, d);
     }
+  return mesh;
+}
+
+PolygonMesh dentedBall(const std::array<double, 3>& toward) {
+  PolygonMesh mesh = uvSphere(64, 40);
+  const Vec3 aside = std::abs(toward[0]) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+  const Vec3 across = cross(toward, aside);
+  for (const double turn : {0.0, 1.25, 2.5, 3.75, 5.0}) {
+    const Vec3 other = cross(toward, across);
+    Vec3 at{};
+    for (std::size_t d = 0; d < 3; ++d)
+      at[d] = toward[d] + 0.7 * (std::cos(turn) * across[d] + std::sin(turn) * other[d]);
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+      double* const p = &mesh.positions[i];
+      const double angle = angleBetween({p[0], p[1], p[2]}, at);
+      const double deep = 0.35 * std::exp(-angle * angle / 0.04);
+      for (std::size_t d = 0; d < 3; ++d) p[d] *= 1 - deep;
+    }
+  }
   return mesh;
 }
 

@@ -24,6 +24,9 @@ PolygonMesh cylinder(unsigned columns, unsigned rows);
 /// nearly closed.
 PolygonMesh uvSphere(unsigned columns, unsigned rows);
 
+/// A ball with hollows around a direction, as eyes, cheeks and a mouth.
+PolygonMesh dentedBall(const std::array<double, 3>& toward);
+
 PolygonMesh tetrahedron();
 
 /// Fan of n triangles around vertex 0, with all outer edges on the boundary; the apex has the given

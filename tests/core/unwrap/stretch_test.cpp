@@ -6,6 +6,7 @@
 
 #include "abflat/unwrap.h"
 #include "catch.h"
+#include "mesh/triangle_geometry.h"
 #include "support/meshes.h"
 #include "support/unwrapped.h"
 
@@ -50,9 +51,44 @@ TEST_CASE("no chart is stretched more than is allowed, once it is flat", "[unwra
     for (const double bound : {1.02, 1.04, 1.15}) {
       UnwrapOptions options;
       options.maxStretch = bound;
+      options.frontLeeway = 1;
       const UnwrapResult result = unwrapped(mesh, options);
       CHECK(mostStretch(result) <= bound);
       CHECK_FALSE(hasNote(result, "stretched"));
+    }
+}
+
+TEST_CASE("the front of a figure is stretched more rather than cut", "[unwrap]") {
+  const PolygonMesh ball = dentedBall({0, 0, 1});
+  const auto seamsInFront = [&](const UnwrapResult& r) {
+    double length = 0;
+    for (const EdgeVertices& edge : r.seams) {
+      const auto [a, b] = edge;
+      const double* const p = &ball.positions[3 * std::size_t{a}];
+      if (p[2] > 0.7 * norm({p[0], p[1], p[2]})) length += norm(edgeVector(ball.positions, a, b));
+    }
+    return length;
+  };
+  UnwrapOptions options;
+  options.frontLeeway = 1;
+  const UnwrapResult strict = unwrapped(ball, options);
+  CHECK(mostStretch(strict) <= options.maxStretch);
+  options.frontLeeway = 8;
+  const UnwrapResult lenient = unwrapped(ball, options);
+  CHECK(mostStretch(lenient) > options.maxStretch);
+  CHECK(mostStretch(lenient) <= 1 + 8 * (options.maxStretch - 1));
+  CHECK(hasNote(lenient, "in the front of a figure"));
+  CHECK(seamsInFront(strict) > 0.5);
+  CHECK(seamsInFront(lenient) < 0.1 * seamsInFront(strict));
+}
+
+TEST_CASE("a front is stretched and sheared within its leeway", "[unwrap][quality]") {
+  for (const PolygonMesh& mesh : meshes())
+    for (const UnwrapChart& chart : unwrapped(mesh, {}).report.charts) {
+      CHECK(chart.leeway >= 1);
+      CHECK(chart.leeway <= 8);
+      CHECK(chart.symmetricDirichlet <= 1 + 0.02 * chart.leeway);
+      CHECK(chart.quasiConformalSheared <= 0.1 * chart.leeway);
     }
 }
 
@@ -65,6 +101,7 @@ TEST_CASE("no more of a chart is sheared than is allowed", "[unwrap][quality]") 
   };
   for (const PolygonMesh& mesh : meshes()) {
     UnwrapOptions options;
+    options.frontLeeway = 1;
     CHECK(mostSheared(unwrapped(mesh, options)) <= 0.1);
     options.maxSheared = 0.03;
     const UnwrapResult result = unwrapped(mesh, options);

@@ -2,7 +2,7 @@
 
 import { createAbflat } from 'abflat';
 import { documentMesh, setTexcoords, unwrap as unwrapTransform } from 'abflat/gltf';
-import { unwrapGeometry } from 'abflat/three';
+import { packGeometry, unwrapGeometry } from 'abflat/three';
 import { BufferAttribute, BufferGeometry } from 'three';
 import { accessor, addMesh, emptyDocument } from '../../support/gltf.mjs';
 import { Random } from '../../support/random-surfaces.mjs';
@@ -10,7 +10,7 @@ import { fileMesh, randomMesh } from './meshes.mjs';
 import { oddValue } from './odd-values.mjs';
 import { randomOptions } from './options.mjs';
 
-const METHODS = ['unwrap', 'unwrap', 'flatten', 'flatten', 'inspect', 'compare', 'load', 'sample'];
+const METHODS = ['unwrap', 'pack', 'flatten', 'flatten', 'inspect', 'compare', 'load', 'sample'];
 const SAMPLES = ['hemisphere', 'wavy-strip', 'three-balls', 'teapot', '', '\0'];
 
 function methodCall(random, without) {
@@ -50,8 +50,10 @@ function plainly(mesh) {
   }
 }
 
+const OF_GEOMETRY = { unwrap: unwrapGeometry, pack: packGeometry };
+
 /** A call of abflat/three, whose geometry may lack something it needs. */
-function geometryCall(random, without) {
+const geometryCall = (verb) => (random, without) => {
   const mesh = randomMesh(random);
   const geometry = new BufferGeometry();
   const { positions, indices, texcoords } = plainly(mesh);
@@ -61,13 +63,13 @@ function geometryCall(random, without) {
   if (isOf(DRAWN, indices)) geometry.setIndex(new BufferAttribute(indices, 1));
   if (isOf(DRAWN, texcoords)) geometry.setAttribute('uv', new BufferAttribute(texcoords, 2));
   if (random.chance(0.2)) geometry.addGroup(0, 3, random.below(3));
-  const options = randomOptions(random, 'unwrap', without);
+  const options = randomOptions(random, verb, without);
   if (random.chance(0.1) && isPlain(options))
     options.attribute = random.chance(0.5) ? 'uv1' : oddValue(random);
   const given = random.chance(0.95) ? geometry : oddValue(random);
-  const run = (abflat) => unwrapGeometry(abflat, given, options);
-  return { method: 'unwrapGeometry', args: [given, options], run };
-}
+  const run = (abflat) => OF_GEOMETRY[verb](abflat, given, options);
+  return { method: `${verb}Geometry`, args: [given, options], run };
+};
 
 /** A call of abflat/gltf. */
 function documentCall(random, without) {
@@ -122,7 +124,13 @@ function startCall(random, without) {
   return { method: 'createAbflat', args: [undefined, given], run };
 }
 
-const MAKERS = [...Array(20).fill(methodCall), geometryCall, geometryCall, documentCall, startCall];
+const MAKERS = [
+  ...Array(20).fill(methodCall),
+  geometryCall('unwrap'),
+  geometryCall('pack'),
+  documentCall,
+  startCall,
+];
 
 /**
  * The calls of a seed, mostly one, sometimes several at once. `without`: options to leave out, to

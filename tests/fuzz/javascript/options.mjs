@@ -1,6 +1,6 @@
 // Random options for every call: those of the schema, and those that only the package takes.
 
-import { FLATTEN_OPTIONS, UNWRAP_OPTIONS } from 'abflat';
+import { FLATTEN_OPTIONS, PACK_OPTIONS, UNWRAP_OPTIONS } from 'abflat';
 import { CallersError, oddValue } from './odd-values.mjs';
 
 /** Within the bounds, at them, or just outside. */
@@ -65,8 +65,9 @@ const onProgress = (random) => (random.chance(0.8) ? () => undefined : random.pi
 
 const boolean = (random) => random.chance(0.5);
 
+const pins = (random) => listOf(random, pin);
+
 const OF_LAYOUT = {
-  pins: (random) => listOf(random, pin),
   obj: boolean,
   ply: boolean,
   roundsForGltf: boolean,
@@ -76,6 +77,7 @@ const OF_LAYOUT = {
 /** The options that only the package has, by method. */
 const OF_PACKAGE = {
   flatten: {
+    pins,
     ...OF_LAYOUT,
     bounds: (random) =>
       listOf(random, () => ({ vertex: number(random), t: random.between(-0.1, 2.2) })),
@@ -83,6 +85,7 @@ const OF_PACKAGE = {
     normalize: boolean,
   },
   unwrap: {
+    pins,
     ...OF_LAYOUT,
     seams: (random) => random.pick(random.chance(0.8) ? SEAMS : OTHER_SEAMS),
     seamEdges: numbers,
@@ -91,13 +94,14 @@ const OF_PACKAGE = {
     fixedCharts: numbers,
     keepsPlaces: boolean,
   },
+  pack: OF_LAYOUT,
   compare: { onProgress },
   inspect: {},
   load: {},
   sample: { detail: (random) => random.pick([1, 1, 2.5, 0, -1, Number.NaN, 1e300, 5n]) },
 };
 
-const SCHEMA = { flatten: FLATTEN_OPTIONS, unwrap: UNWRAP_OPTIONS };
+const SCHEMA = { flatten: FLATTEN_OPTIONS, unwrap: UNWRAP_OPTIONS, pack: PACK_OPTIONS };
 
 /** A signal that is never aborted, is already aborted, or will be shortly. */
 function signalOf(random) {

@@ -83,8 +83,25 @@ function mayBeFlat(corners, extent) {
   return !(Math.min(...lengths) > 1e-6 && area > 1e-6 * Math.max(...lengths) ** 2);
 }
 
+/** Islands lie in tiles if the report says valid; vertices are those of the input, then copies. */
+function assertPacked({ uv, indices, vertexMap, islandOfTriangle, report }) {
+  const isBelow = (count) => (v) => v < count;
+  assert.equal(uv.length, 2 * vertexMap.length);
+  assert.ok(indices.every(isBelow(vertexMap.length)));
+  assert.equal(3 * islandOfTriangle.length, indices.length);
+  const first = vertexMap.findIndex((v, i) => v !== i);
+  assert.ok(first < 0 || vertexMap.subarray(first).every(isBelow(first)), 'copies come last');
+  if (!report.valid) return;
+  const isIn = (v) =>
+    uv[2 * v] >= 0 && uv[2 * v] <= 10 && uv[2 * v + 1] >= 0 && uv[2 * v + 1] <= report.tiles;
+  for (const [i, island] of islandOfTriangle.entries())
+    if (island < report.islands)
+      assert.ok(indices.subarray(3 * i, 3 * i + 3).every(isIn), `triangle ${i} is in no tile`);
+}
+
 /** Asserts that, if a report says valid, no triangles are flipped or overlap. */
 function assertValid(result, { method, args }) {
+  if (method === 'pack') assertPacked(result);
   if (method !== 'unwrap' && method !== 'flatten') return;
   const { uv, indices, vertexMap, report } = result;
   assert.equal(uv.length, 2 * vertexMap.length);

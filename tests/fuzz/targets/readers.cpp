@@ -4,6 +4,7 @@
 
 #include "abflat/appearance.h"
 #include "abflat/gltf.h"
+#include "abflat/gltf_look.h"
 #include "abflat/inspect.h"
 #include "abflat/io.h"
 #include "expect.h"
@@ -74,6 +75,8 @@ bool readGltf(const std::uint8_t* bytes, std::size_t size) {
   }
   expectMesh(model.value().mesh);
   expectRoundTrip(model.value());
+  const Result<GltfLook> look = readGltfLook(*model.value().source, always(buffer));
+  if (!look.ok()) expectReason(look.status());
   PolygonMesh joined = model.value().mesh;
   joinVertices(joined);
   expectMesh(joined);

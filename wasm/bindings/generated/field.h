@@ -15,9 +15,10 @@ enum class Field : int {
   Seams = 6,  ///< edges that were cut, two input vertices each
   Unpacked = 7,  ///< uv before packing
   Faces = 8,  ///< input face of each triangle of a loaded file
+  Faults = 9,  ///< what is wrong with each triangle in uv: a sum of the bits of UvFault
 };
 
 /// The file of the first MeshFormat, as a Field; those of the others follow.
-constexpr int kFirstFile = 9;
+constexpr int kFirstFile = 10;
 
 }  // namespace abflat::bindings

@@ -4,10 +4,17 @@
 import { BUILDS, type Build } from './builds.js';
 import { AbflatError } from './errors.js';
 
-/** The build named in a custom section of the module, which wasm/build.mjs adds. */
-export function buildOf(module: WebAssembly.Module): Build {
+/** The name in a custom section of the module, which wasm/build.mjs adds. */
+function labelOf(module: WebAssembly.Module): string | undefined {
   const [section] = WebAssembly.Module.customSections(module, 'abflat.build');
-  const name = section && new TextDecoder().decode(section);
+  return section && new TextDecoder().decode(section);
+}
+
+export const isBake = (module: WebAssembly.Module) => labelOf(module) === 'bake';
+
+/** The build of the main module. */
+export function buildOf(module: WebAssembly.Module): Build {
+  const name = labelOf(module);
   const build = BUILDS.find((each) => each === name);
   if (build) return build;
   throw new AbflatError(

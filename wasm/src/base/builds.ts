@@ -6,6 +6,9 @@
  */
 export type Build = 'plain' | 'simd' | 'threads';
 
+/** A module of the package: a build of the main one, or the one that bakes. */
+export type ModuleName = Build | 'bake';
+
 export const BUILDS: readonly Build[] = ['plain', 'simd', 'threads'];
 
 /** A module with one vector instruction, i8x16.popcnt, which drafts of the vector proposal did not have yet. */

@@ -11,6 +11,7 @@ export const RESULT_ARRAYS = {
   seams: { field: 6, Kind: Uint32Array },
   unpacked: { field: 7, Kind: Float64Array },
   faces: { field: 8, Kind: Uint32Array },
-  obj: { field: 9, Kind: Uint8Array },
-  ply: { field: 10, Kind: Uint8Array },
+  faults: { field: 9, Kind: Uint8Array },
+  obj: { field: 10, Kind: Uint8Array },
+  ply: { field: 11, Kind: Uint8Array },
 } as const;

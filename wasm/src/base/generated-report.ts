@@ -5,6 +5,7 @@ import type {
   FlattenOptionValues,
   LinearSolver,
   MethodKey,
+  PackOptionValues,
   Solver,
   StatusName,
   UnwrapOptionValues,
@@ -320,6 +321,8 @@ export interface UnwrapChart {
   quasiConformal: { mean: number; max: number; sheared: number };
   /** Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric). */
   symmetricDirichlet: number;
+  /** How many times as far above 1 as maxStretch its stretch may be: frontLeeway in the front of a figure, less where only a part is. */
+  leeway: number;
   /** The outcome of refining for lengths; of the whole chart if packing has cut it; null if refining gained nothing. */
   refined: RefineReport | null;
   /** How the pins were met; null without pins. */
@@ -340,6 +343,8 @@ export interface AtlasReport {
   resolution: number;
   /** Texels between charts. */
   padding: number;
+  /** Texels between charts and the edge of their tile. */
+  margin: number;
   /** Unit squares, ten in a row: UDIM 1001 and on. */
   tiles: number;
   /** Share of the tiles that charts cover; what charts share counts once. */
@@ -414,6 +419,66 @@ export interface UnwrapReport {
   timings: UnwrapTimings;
   /** Peak memory in MB by the end of each stage: natively of the process, in the package of the module's heap, which never shrinks, in MB. */
   peakMemory: Record<keyof UnwrapStages, number | null>;
+}
+
+/** Seconds that each stage of pack took. */
+export interface PackTimings {
+  /** Reading the input, in seconds. */
+  read: number;
+  /** Packing the charts, in seconds. */
+  pack: number;
+  /** Checking and measuring the result, in seconds. */
+  check: number;
+  /** Writing the result, in seconds. */
+  write: number;
+  /** The whole run, in seconds. */
+  total: number;
+}
+
+/** The report of pack. */
+export interface PackReport {
+  /** Version of abflat. */
+  version: string;
+  /** The input. */
+  input: InputSummary;
+  /** The options as asked. */
+  options: PackOptionValues;
+  /** Threads that the solver used. */
+  threads: number;
+  /** Uv islands: faces joined where they have an edge and its texcoords in common. */
+  islands: number;
+  /** Islands that lay on others, by half of the smaller one or more, and still do. */
+  stacked: { islands: number; stacks: number };
+  /** Islands most of whose area runs clockwise; they stay mirrored. */
+  mirrored: number;
+  /** Islands that overlapped others by less, and no longer do. */
+  separated: number;
+  /** Faces without texcoords at every corner, which stay as they are. */
+  unmapped: number;
+  /** Faces of islands as they lie now, decided exactly; one may be counted for several reasons. */
+  faces: { overlapping: number; flipped: number; empty: number; outside: number };
+  /** Length in uv divided by what it was before; the mean by area, where islands differ. */
+  scale: number;
+  /** Share of their tiles that islands covered in the input, or of all tiles around the layout if one is larger than a tile; what a stack covers counts once. */
+  utilizationBefore: number;
+  /** Share of the tiles that they cover now. */
+  utilization: number;
+  /** Texels along a side of a tile. */
+  resolution: number;
+  /** Texels between islands. */
+  padding: number;
+  /** Texels between islands and the edge of their tile. */
+  margin: number;
+  /** Unit squares, ten in a row: UDIM 1001 and on. */
+  tiles: number;
+  /** Texels per mesh unit, the mean by area; 0 if the faces have no area. */
+  texelDensity: number;
+  /** Remarks about the input and the result, one sentence each; why a layout is not valid comes last. */
+  notes: string[];
+  /** Whether no two islands overlap that did not lie on each other, and each lies in a tile. */
+  valid: boolean;
+  /** Seconds that each stage took. */
+  timings: PackTimings;
 }
 
 /** How one method flattens a mesh; measures are null without a layout, and where they are infinite. */

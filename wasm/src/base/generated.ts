@@ -109,6 +109,7 @@ export type Stack = 'none' | 'identical' | 'mirrored';
 export interface UnwrapOptionValues {
   maxStretch: number;
   maxSheared: number | 'auto';
+  frontLeeway: number;
   balance: number;
   orient: boolean;
   fillHoles: FillHoles;
@@ -119,6 +120,7 @@ export interface UnwrapOptionValues {
   rectify: Rectify;
   resolution: number;
   padding: number;
+  margin: number | 'auto';
   texelDensity: number | 'auto';
   udim: boolean;
   packingCuts: PackingCuts;
@@ -133,6 +135,7 @@ export interface UnwrapOptionValues {
 export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   maxStretch: 1.02,
   maxSheared: 'auto',
+  frontLeeway: 8,
   balance: 0.2,
   orient: false,
   fillHoles: 'auto',
@@ -143,6 +146,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   rectify: 'auto',
   resolution: 1024,
   padding: 2,
+  margin: 'auto',
   texelDensity: 'auto',
   udim: false,
   packingCuts: 'auto',
@@ -158,6 +162,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.02, above: 1, text: 'largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts', range: 'above 1' },
   maxSheared: { type: 'number', default: 'auto', above: 0, atMost: 1, words: { auto: -1 }, text: 'largest share of a chart\'s surface that may be sheared, that is, have a quasi-conformal distortion above 1.25, as if a square became a rectangle of 5 by 4; charts with more are cut further (1 = no limit; auto = 0.1, or 5 times what maxStretch is above 1, if that is more)', range: 'above 0 and at most 1, or auto' },
+  frontLeeway: { type: 'number', default: 8, atLeast: 1, atMost: 100, text: 'how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared (1 = no more than elsewhere)', range: 'at least 1 and at most 100' },
   balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)', range: 'at least 0 and at most 1' },
   orient: { type: 'boolean', default: false, text: 'turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are', range: '' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches', range: 'auto, never, always' },
@@ -168,6 +173,7 @@ export const UNWRAP_OPTIONS = {
   rectify: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that hardly stretches, and stays within the bound of stretch; never = leave outlines as they come out; always = however much that stretches', range: 'auto, never, always' },
   resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels', range: 'at least 16 and at most 32768, whole' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts, and between far parts of one chart', range: 'at least 0 and at most 256, whole' },
+  margin: { type: 'integer', default: 'auto', atLeast: 0, atMost: 256, words: { auto: -1 }, text: 'free texels between charts and the edge of their tile (auto = half the padding, rounded up)', range: 'at least 0 and at most 256, whole, or auto' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
   packingCuts: { type: 'choice', default: 'auto', choices: ['auto', 'never'], text: 'whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole', range: 'auto, never' },
@@ -176,6 +182,46 @@ export const UNWRAP_OPTIONS = {
   rotate: { type: 'choice', default: 'auto', choices: ['auto', 'free', 'quarter', 'none'], text: 'how charts, which lie level and upright, are turned to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all', range: 'auto, free, quarter, none' },
   stack: { type: 'choice', default: 'none', choices: ['none', 'identical', 'mirrored'], text: 'which parts and charts of equal shape lie on each other and share their texels: none = each has texels of its own; identical = those that are moved and turned; mirrored = mirror images as well, whose triangles run clockwise in the atlas', range: 'none, identical, mirrored' },
   memory: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'memory for the factor of the solver\'s matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)', range: 'above 0, or auto' },
+  threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
+} as const;
+
+export type IslandSizes = 'keep' | 'even';
+
+/** The options of packing a layout that are plain values, with their defaults. */
+export interface PackOptionValues {
+  resolution: number;
+  padding: number;
+  margin: number | 'auto';
+  texelDensity: number | 'auto';
+  udim: boolean;
+  rotate: Rotate;
+  islandSizes: IslandSizes;
+  keepPlaces: boolean;
+  threads: number;
+}
+
+export const PACK_DEFAULTS: Readonly<PackOptionValues> = {
+  resolution: 1024,
+  padding: 2,
+  margin: 'auto',
+  texelDensity: 'auto',
+  udim: false,
+  rotate: 'auto',
+  islandSizes: 'keep',
+  keepPlaces: false,
+  threads: 0,
+};
+
+/** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
+export const PACK_OPTIONS = {
+  resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels', range: 'at least 16 and at most 32768, whole' },
+  padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between islands', range: 'at least 0 and at most 256, whole' },
+  margin: { type: 'integer', default: 'auto', atLeast: 0, atMost: 256, words: { auto: -1 }, text: 'free texels between islands and the edge of their tile (auto = half the padding, rounded up)', range: 'at least 0 and at most 256, whole, or auto' },
+  texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
+  udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
+  rotate: { type: 'choice', default: 'auto', choices: ['auto', 'free', 'quarter', 'none'], text: 'how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all', range: 'auto, free, quarter, none' },
+  islandSizes: { type: 'choice', default: 'keep', choices: ['keep', 'even'], text: 'how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale', range: 'keep, even' },
+  keepPlaces: { type: 'boolean', default: false, text: 'islands stay where they are, and the layout is only judged; of the other options only resolution and udim count then', range: '' },
   threads: { type: 'integer', default: 0, atLeast: 0, atMost: 256, text: 'maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one', range: 'at least 0 and at most 256, whole' },
 } as const;
 
@@ -190,6 +236,12 @@ export type FlattenStage = 'read' | 'connectivity' | 'solve' | 'layout' | 'refin
 
 /** A stage of a run of unwrap. */
 export type UnwrapStage = 'read' | 'surface' | 'seams' | 'solve' | 'pack' | 'check' | 'write';
+
+/** A stage of a run of pack. */
+export type PackStage = 'read' | 'pack' | 'check' | 'write';
+
+/** A stage of a run of bake. */
+export type BakeStage = 'read' | 'write';
 
 /** A stage of a run of compare. */
 export type CompareStage = 'read';

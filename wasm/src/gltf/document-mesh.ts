@@ -11,7 +11,10 @@ import { isOfTriangles, trianglesOf } from './triangles.js';
 export interface DocumentPart {
   mesh: Mesh;
   primitive: Primitive;
-  /** Primitives that share their positions and are placed alike also share vertices. */
+  /**
+   * Primitives that share their positions and are placed alike also share vertices, unless their
+   * texcoords differ.
+   */
   firstVertex: number;
   vertexCount: number;
   firstTriangle: number;
@@ -76,7 +79,11 @@ export function documentMesh(
     const placement = placements.of(member.mesh);
     const known = blocks.get(position) ?? [];
     blocks.set(position, known);
-    const shared = known.find(([other]) => samePlace(other, placement))?.[1];
+    const shared = known.find(
+      ([other, part]) =>
+        samePlace(other, placement) &&
+        fits(part.primitive, member.primitive, `TEXCOORD_${texcoord}`),
+    )?.[1];
     known.push([placement, gather(document, member, placement, shared, gathered)]);
   }
   const { parts } = gathered;
@@ -242,6 +249,12 @@ export function turned(triangles: Uint32Array): Uint32Array {
 function samePlace(a: Placement, b: Placement): boolean {
   if (!a.matrix || !b.matrix) return a.matrix === b.matrix;
   return a.matrix.every((x, i) => x === b.matrix?.[i]);
+}
+
+/** Whether one texcoord per vertex is enough for both. */
+function fits(a: Primitive, b: Primitive, set: string): boolean {
+  const [first, second] = [a.getAttribute(set), b.getAttribute(set)];
+  return !first || !second || first === second;
 }
 
 const total = (arrays: { length: number }[]) => arrays.reduce((sum, { length }) => sum + length, 0);

@@ -39,12 +39,7 @@ export function setTexcoords(
   options: SetTexcoordsOptions = {},
 ): void {
   const { texcoord = 0, normalize = false, turnedFaces = [] } = ownFields(options);
-  const triangles = parts.reduce((sum, { triangleCount }) => sum + triangleCount, 0);
-  if (indices.length !== 3 * triangles)
-    throw new AbflatError(
-      'InvalidMesh',
-      `The layout has ${indices.length / 3} triangles, but the document has ${triangles}.`,
-    );
+  checkTriangles(parts, indices);
   const coordinates = normalize ? normalized(uv) : uv;
   const set = texcoord === 'auto' ? freeTexcoord(document) : texcoord;
   const replaced = new Set<Accessor>();
@@ -64,6 +59,16 @@ export function setTexcoords(
     }
   }
   for (const accessor of replaced) if (!isUsed(accessor)) accessor.dispose();
+}
+
+/** A layout has the triangles of its document. */
+export function checkTriangles(parts: readonly DocumentPart[], indices: Uint32Array): void {
+  const triangles = parts.reduce((sum, { triangleCount }) => sum + triangleCount, 0);
+  if (indices.length === 3 * triangles) return;
+  throw new AbflatError(
+    'InvalidMesh',
+    `The layout has ${indices.length / 3} triangles, but the document has ${triangles}.`,
+  );
 }
 
 /** Parts with the same vertices. */

@@ -17,8 +17,9 @@ const WANTED = 'The mesh must be { positions, indices } or { bytes, name }';
 /** Advice for the mesh objects of other libraries. */
 function hintFor(mesh: object): string {
   if ('isBufferGeometry' in mesh || 'isObject3D' in mesh)
-    return '. For three.js geometry, use unwrapGeometry of "abflat/three"';
-  if ('getRoot' in mesh) return '. For glTF-Transform documents, use unwrap of "abflat/gltf"';
+    return '. For three.js geometry, use unwrapGeometry or packGeometry of "abflat/three"';
+  if ('getRoot' in mesh)
+    return '. For glTF-Transform documents, use unwrap or pack of "abflat/gltf"';
   return '';
 }
 
@@ -87,8 +88,8 @@ function refuseGltf(bytes: Uint8Array, name: string): void {
   if (!isBinary && !/\.gl(b|tf)$/i.test(name)) return;
   throw new AbflatError(
     'UnreadableFile',
-    `${name} is a glTF. Read it with glTF-Transform and use unwrap of "abflat/gltf", or with GLTFLoader of three.js and use ` +
-      'unwrapGeometry of "abflat/three".',
+    `${name} is a glTF. Read it with glTF-Transform and use unwrap or pack of "abflat/gltf", or with GLTFLoader of three.js and use ` +
+      'unwrapGeometry or packGeometry of "abflat/three".',
   );
 }
 
@@ -145,7 +146,7 @@ function ofSeparateTriangles(vertexCount: number): Uint32Array {
 }
 
 /** Returns an array of a type that the module takes as it is. */
-function reals(name: string, values: unknown): Float32Array | Float64Array {
+export function reals(name: string, values: unknown): Float32Array | Float64Array {
   const tag = kindOf(name, values);
   if (REALS.includes(tag)) return values as Float32Array;
   checkKind(name, tag, [...REALS, ...WHOLE]);
@@ -157,7 +158,7 @@ function reals(name: string, values: unknown): Float32Array | Float64Array {
   );
 }
 
-function whole(name: string, values: unknown): Uint32Array | Uint16Array | Uint8Array {
+export function whole(name: string, values: unknown): Uint32Array | Uint16Array | Uint8Array {
   const tag = kindOf(name, values);
   if (WHOLE.includes(tag)) return values as Uint32Array;
   checkKind(name, tag, WHOLE);
@@ -191,11 +192,16 @@ function checkKind(name: string, tag: string, kinds: string[]): void {
     throw invalid(`${name} must be an array of numbers, such as a ${kinds[0]}, not ${tag}.`);
 }
 
-function checkMultiple(name: string, { length }: { length: number }, of: number): void {
+export function checkMultiple(name: string, { length }: { length: number }, of: number): void {
   if (length % of !== 0) throw invalid(`${name} has ${length} elements, not a multiple of ${of}.`);
 }
 
-function checkLength(name: string, { length }: { length: number }, wanted: number, rule: string) {
+export function checkLength(
+  name: string,
+  { length }: { length: number },
+  wanted: number,
+  rule: string,
+) {
   if (length !== wanted) throw invalid(`${name} has ${length} elements, not ${wanted}: ${rule}.`);
 }
 

@@ -3,10 +3,14 @@
 import type { Build } from '../base/builds.js';
 import type { StatusName, WrittenFormat } from '../base/generated.js';
 import type {
+  BakedImage,
+  BakeProgress,
   CompareProgress,
   Comparison,
   FlattenResult,
   MeshSummary,
+  PackProgress,
+  PackResult,
   PinWeights,
   Progress,
   TriangleMesh,
@@ -19,6 +23,7 @@ export interface OwnedFile {
   name: string;
 }
 
+type Reals = Float32Array | Float64Array;
 type Whole = Uint8Array | Uint16Array | Uint32Array;
 
 export interface OwnedArrays {
@@ -39,7 +44,6 @@ export type PinNumbers = [vertex: number, u: number, v: number, face: number];
 /** What the calls that return a layout share. */
 export interface LayoutRequest {
   mesh: OwnedMesh;
-  pins: PinNumbers[];
   files: WrittenFormat[];
   wantsProgress: boolean;
   roundsForGltf: boolean;
@@ -49,6 +53,7 @@ export interface FlattenRequest extends LayoutRequest {
   kind: 'flatten';
   /** One number per option of FLATTEN_OPTIONS, in its order. */
   values: number[];
+  pins: PinNumbers[];
   /** Vertex and t of each bound in turn. */
   bounds: number[];
   straight: [from: number, to: number][];
@@ -70,6 +75,7 @@ export interface UnwrapRequest extends LayoutRequest {
   kind: 'unwrap';
   /** One number per option of UNWRAP_OPTIONS, in its order. */
   values: number[];
+  pins: PinNumbers[];
   /** Where to cut, as text; without it the module uses its default. */
   seams?: string;
   /** One place per array of UNWRAP_ARRAYS, in its order. */
@@ -80,10 +86,62 @@ export interface UnwrapRequest extends LayoutRequest {
   known?: KnownArrays;
 }
 
+export interface PackRequest extends LayoutRequest {
+  kind: 'pack';
+  /** One number per option of PACK_OPTIONS, in its order. */
+  values: number[];
+}
+
+/** The mesh of a bake, as BakeMesh, in arrays that belong to the call. */
+export interface BakeArrays {
+  positions: Reals;
+  texcoords: Reals;
+  normals?: Reals;
+  tangents?: Reals;
+  indices: Whole;
+  materials?: Whole;
+  parts?: Whole;
+}
+
+/** A use of an image: its place among the images, and wraps in the order of BakeWrap. */
+export interface BakeTexture {
+  image: number;
+  width: number;
+  height: number;
+  wrapU: number;
+  wrapV: number;
+  hasOpacity: boolean;
+}
+
+/** A BakeSource in numbers; `texture` is the place of the texture, if there is one. */
+export interface SourceNumbers {
+  texture?: number;
+  offset: [number, number];
+  rotation: number;
+  scale: [number, number];
+  factor: [number, number, number, number];
+}
+
+export interface BakeRequest {
+  kind: 'bake';
+  mesh: BakeArrays;
+  layout: { uv: Reals; indices: Whole; vertexMap?: Whole };
+  images: (Uint8Array | Uint8ClampedArray)[];
+  textures: BakeTexture[];
+  sources: SourceNumbers[];
+  /** No source is transparent. */
+  isOpaque: boolean;
+  /** One number per option of BAKE_OPTIONS, in its order. */
+  values: number[];
+  wantsProgress: boolean;
+}
+
 export type Request =
   | { kind: 'describe' }
   | FlattenRequest
   | UnwrapRequest
+  | PackRequest
+  | BakeRequest
   | { kind: 'compare'; mesh: OwnedMesh; wantsProgress: boolean }
   | { kind: 'inspect'; mesh: OwnedMesh }
   | { kind: 'pinWeights'; mesh: OwnedArrays; pins: number[] }
@@ -101,12 +159,14 @@ export type Answer =
   | Description
   | FlattenResult
   | UnwrapResult
+  | PackResult
+  | BakedImage
   | Comparison
   | MeshSummary
   | TriangleMesh
   | PinWeights;
 
-export type AnyProgress = Progress | UnwrapProgress | CompareProgress;
+export type AnyProgress = Progress | UnwrapProgress | PackProgress | BakeProgress | CompareProgress;
 
 export type ToWorker =
   | { type: 'start'; module: WebAssembly.Module; maxMemory: number }

@@ -6,6 +6,9 @@ import {
   FLATTEN_DEFAULTS,
   FLATTEN_OPTIONS,
   type FlattenOptionValues,
+  PACK_DEFAULTS,
+  PACK_OPTIONS,
+  type PackOptionValues,
   UNWRAP_ARRAYS,
   UNWRAP_DEFAULTS,
   UNWRAP_OPTIONS,
@@ -18,10 +21,17 @@ import { fieldOf, fieldsOf, ownFields } from './fields.js';
 import type { KnownArrays, PinNumbers } from './protocol.js';
 
 const OF_CALL = ['signal', 'transfer'];
-const OF_LAYOUT = ['onProgress', 'pins', ...WRITTEN_FORMATS, 'roundsForGltf', ...OF_CALL];
+const OF_LAYOUT = ['onProgress', ...WRITTEN_FORMATS, 'roundsForGltf', ...OF_CALL];
 export const KEYS = {
-  create: ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'workerUrl'],
-  flatten: [...Object.keys(FLATTEN_OPTIONS), 'bounds', 'straight', 'normalize', ...OF_LAYOUT],
+  create: ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'bakeUrl', 'workerUrl'],
+  flatten: [
+    ...Object.keys(FLATTEN_OPTIONS),
+    'bounds',
+    'straight',
+    'normalize',
+    'pins',
+    ...OF_LAYOUT,
+  ],
   unwrap: [
     ...Object.keys(UNWRAP_OPTIONS),
     ...Object.keys(UNWRAP_ARRAYS),
@@ -29,8 +39,10 @@ export const KEYS = {
     'keepsValidOnly',
     'keepsPlaces',
     'known',
+    'pins',
     ...OF_LAYOUT,
   ],
+  pack: [...Object.keys(PACK_OPTIONS), ...OF_LAYOUT],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
@@ -86,12 +98,13 @@ export function optionsOf<T extends object>(options: T): T {
   return ownFields(options);
 }
 
-/** The same, for options with known names. */
-export function knownOptions<T extends object>(options: T, known: string[]): T {
+/** The same, for options with known names. `of`: what has them, if it is not the call. */
+export function knownOptions<T extends object>(options: T, known: string[], of = ''): T {
   const own = optionsOf(options);
   const unknown = Object.keys(own).find((key) => !known.includes(key));
   if (unknown === undefined) return own;
-  throw invalid(`There is no option "${unknown}". The options are ${known.join(', ')}.`);
+  const name = of && `${of}.`;
+  throw invalid(`There is no option "${name}${unknown}". The options are ${known.join(', ')}.`);
 }
 
 export function checkSignal(signal: unknown): void {
@@ -114,9 +127,9 @@ export function checkFunction(name: string, value: unknown): void {
     throw invalid(`${name} must be a function.`);
 }
 
-/** For functions that take abflat as an argument. */
-export function checkAbflat(abflat: unknown): void {
-  if (typeof fieldOf(abflat, 'unwrap') !== 'function')
+/** For functions that take abflat as an argument, to call the method `name`. */
+export function checkAbflat(abflat: unknown, name: 'unwrap' | 'pack' | 'bake'): void {
+  if (typeof fieldOf(abflat, name) !== 'function')
     throw invalid(
       'The first argument must be what createAbflat resolves to: await createAbflat().',
     );
@@ -194,7 +207,13 @@ export function unwrapNumbers(options: Partial<UnwrapOptionValues>): number[] {
   return optionNumbers(options, UNWRAP_OPTIONS, UNWRAP_DEFAULTS);
 }
 
-function optionNumbers<T extends object>(
+/** All options of packing a layout, in the order of PACK_OPTIONS. */
+export function packNumbers(options: Partial<PackOptionValues>): number[] {
+  return optionNumbers(options, PACK_OPTIONS, PACK_DEFAULTS);
+}
+
+/** All options of a set, in its order. */
+export function optionNumbers<T extends object>(
   options: Partial<T>,
   rules: Readonly<Record<keyof T, OptionRule>>,
   defaults: Readonly<T>,

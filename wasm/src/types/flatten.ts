@@ -2,7 +2,7 @@
 
 import type { FlattenOptionValues } from '../base/generated.js';
 import type { Report, VertexBound } from '../base/generated-report.js';
-import type { Layout, LayoutOptions, Progress } from './layout.js';
+import type { Layout, LayoutOptions, PinOptions, Progress } from './layout.js';
 
 /**
  * The part of the boundary from vertex `from` to vertex `to`, walked with the surface on the left.
@@ -13,7 +13,7 @@ export interface StraightRun {
 }
 
 /** FLATTEN_OPTIONS describes the plain values and their defaults. */
-export interface FlattenOptions extends LayoutOptions, Partial<FlattenOptionValues> {
+export interface FlattenOptions extends LayoutOptions, PinOptions, Partial<FlattenOptionValues> {
   /** Bounds for single boundary vertices, in place of the common `t`. */
   bounds?: VertexBound[];
   /** Parts of the boundary that are straight in the layout, whatever t and the bounds say. */

@@ -2,17 +2,21 @@
 
 import type { Build } from '../base/builds.js';
 import type { MeshSummary } from '../base/generated-report.js';
+import type { BakedImage, BakeLayout, BakeMesh, BakeOptions, BakeSource } from './bake.js';
 import type { CompareOptions, Comparison } from './compare.js';
 import type { FlattenOptions, FlattenResult } from './flatten.js';
 import type { AbortSignalLike, CallOptions, PinWeights } from './layout.js';
 import type { LoadedMesh, MeshArrays, MeshFile, MeshInput, TriangleMesh } from './mesh.js';
+import type { PackOptions, PackResult } from './pack.js';
 import type { UnwrapOptions, UnwrapResult } from './unwrap.js';
 
 export type * from '../base/generated-report.js';
+export type * from './bake.js';
 export type * from './compare.js';
 export type * from './flatten.js';
 export type * from './layout.js';
 export type * from './mesh.js';
+export type * from './pack.js';
 export type * from './unwrap.js';
 
 export interface SampleOptions {
@@ -28,6 +32,23 @@ export interface Abflat {
   flatten(mesh: MeshInput, options?: FlattenOptions): Promise<FlattenResult>;
   /** Cuts any mesh into charts, flattens them and packs them into the unit square. */
   unwrap(mesh: MeshInput, options?: UnwrapOptions): Promise<UnwrapResult>;
+  /**
+   * Packs the layout that a mesh has: its uv islands are moved, turned and scaled. Those that lie
+   * on each other stay together.
+   */
+  pack(mesh: MeshInput, options?: PackOptions): Promise<PackResult>;
+  /**
+   * Paints what images show in the old layout of a mesh into one image for its new layout. The
+   * triangles of material i show source i; without materials, the only or first one. The code for it
+   * is loaded with the first call and runs in a worker of its own, so leave the arrays alone until
+   * the promise settles.
+   */
+  bake(
+    mesh: BakeMesh,
+    layout: BakeLayout,
+    sources: BakeSource | readonly BakeSource[],
+    options?: BakeOptions,
+  ): Promise<BakedImage>;
   /** Compares abflat's layouts with those of well-known methods; fails whenever `flatten` would. */
   compare(mesh: MeshInput, options?: CompareOptions): Promise<Comparison>;
   inspect(mesh: MeshInput, options?: CallOptions): Promise<MeshSummary>;
@@ -65,6 +86,11 @@ export interface CreateOptions {
    * path works too.
    */
   wasmUrl?: string | UrlLike;
-  /** Location of `worker.js`, if it is not beside the module. It can run every build. */
+  /**
+   * Location of abflat-bake.wasm, which `bake` loads, if it is not beside the module or at `baseUrl`;
+   * in Node a path works too.
+   */
+  bakeUrl?: string | UrlLike;
+  /** Location of `worker.js`, if it is not beside the module. It can run every module. */
   workerUrl?: string | UrlLike;
 }

@@ -45,13 +45,16 @@ export interface PinWeights {
   weights: Float64Array;
 }
 
-export interface LayoutOptions extends CallOptions, FileOptions {
+export interface PinOptions {
   /**
    * None, or at least two; in an atlas, per chart, and a pinned chart stays where its pins are. Two
    * pins are met by moving, rotating and scaling the layout; more, by the layout that is closest to
    * the angles in the least-squares sense.
    */
   pins?: readonly Pin[];
+}
+
+export interface LayoutOptions extends CallOptions, FileOptions {
   /**
    * Round `uv` to the values that a glTF holds (single precision, v measured from the top), even if
    * that makes it invalid; the report describes the rounded layout. Default: false; `unwrap` then

@@ -23,8 +23,8 @@ export interface MeshArrays {
   positions: RealArray;
   indices?: WholeArray;
   /**
-   * The mesh's existing texcoords, 2 per vertex, NaN for a vertex without any: for `seams: 'uv'`
-   * and `fixedFaces`.
+   * The mesh's existing texcoords, 2 per vertex, NaN for a vertex without any: for `pack`,
+   * `seams: 'uv'` and `fixedFaces`.
    */
   texcoords?: RealArray;
   /**

@@ -2,7 +2,7 @@
 
 import type { UnwrapArrays, UnwrapOptionValues, UnwrapStage } from '../base/generated.js';
 import type { UnwrapReport } from '../base/generated-report.js';
-import type { Layout, LayoutOptions, Progress } from './layout.js';
+import type { Layout, LayoutOptions, PinOptions, Progress } from './layout.js';
 
 /** `stage` and `fraction` tell how far the run is; the numbers of Newton's method are 0. */
 export interface UnwrapProgress extends Omit<Progress, 'stage'> {
@@ -24,7 +24,11 @@ export interface KnownLayout {
 }
 
 /** UNWRAP_OPTIONS describes the plain values and their defaults. */
-export interface UnwrapOptions extends LayoutOptions, Partial<UnwrapOptionValues>, UnwrapArrays {
+export interface UnwrapOptions
+  extends LayoutOptions,
+    PinOptions,
+    Partial<UnwrapOptionValues>,
+    UnwrapArrays {
   /** Where to cut: `auto` (the default), `hard`, `uv`, `material`, `none`, `sharp=DEGREES`, or `auto,sharp=60`. */
   seams?: string;
   /**

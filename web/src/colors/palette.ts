@@ -1,5 +1,6 @@
 import { Color } from 'three';
 import { CHART_COLORS } from './chart-colors';
+import { FAULTS } from './fault-colors';
 
 /** Colours of the views, as the style sheet defines them for the theme. */
 export interface Palette {
@@ -21,7 +22,8 @@ export interface Palette {
   seam: Color;
   /** For edges that a click on the surface would cut. */
   cut: Color;
-  charts: Color[];
+  /** Of charts, then of faults. */
+  faces: Color[];
   /** Low to high. */
   ramp: Color[];
   /** Below, at and above the best value. */
@@ -50,7 +52,10 @@ export function readPalette(): Palette {
     frame: color('frame'),
     seam: color('seam'),
     cut: color('cut'),
-    charts: Array.from({ length: CHART_COLORS }, (_, i) => color(`chart-${i}`)),
+    faces: [
+      ...Array.from({ length: CHART_COLORS }, (_, i) => color(`chart-${i}`)),
+      ...FAULTS.map((fault) => color(fault)),
+    ],
     ramp: Array.from({ length: RAMP_SIZE }, (_, i) => color(`ramp-${i}`)),
     twoSided: [color('heat-less'), color('heat-same'), color('heat-more')],
   };

@@ -1,6 +1,5 @@
 import { FLATTEN_DEFAULTS, UNWRAP_DEFAULTS } from 'abflat';
 import { element } from '../base/dom';
-import type { Mode } from '../model/settings';
 import { BALANCE } from '../words/controls';
 
 export const BALANCE_STEP = 0.05;
@@ -11,7 +10,7 @@ export class BalanceControl {
   private readonly slider: HTMLInputElement;
   private readonly output: HTMLOutputElement;
 
-  constructor(mode: Mode, changed: () => void) {
+  constructor(mode: 'flatten' | 'unwrap', changed: () => void) {
     this.slider = element(`${mode}-balance`, HTMLInputElement);
     this.output = element(`${mode}-balance-value`, HTMLOutputElement);
     this.slider.step = String(BALANCE_STEP);

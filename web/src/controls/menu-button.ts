@@ -4,14 +4,12 @@ import { element } from '../base/dom';
 export class MenuButton {
   private readonly button: HTMLButtonElement;
   private readonly menu: HTMLElement;
-  private readonly items: HTMLButtonElement[];
 
   /** The menu has an item with a `data-value` for each choice. */
   constructor(buttonId: string, menuId: string, chosen: (value: string) => void) {
     this.button = element(buttonId, HTMLButtonElement);
     this.menu = element(menuId, HTMLElement);
-    this.items = [...this.menu.querySelectorAll('button')];
-    for (const item of this.items)
+    for (const item of this.all)
       item.addEventListener('click', () => {
         this.close();
         chosen(item.dataset.value ?? '');
@@ -35,9 +33,20 @@ export class MenuButton {
     if (isDisabled) this.hide();
   }
 
+  /** Others may come later, which act by themselves. */
+  private get all(): HTMLButtonElement[] {
+    return [...this.menu.querySelectorAll('button')];
+  }
+
+  /** Those of an open menu that can be chosen now. */
+  private get items(): HTMLButtonElement[] {
+    return this.all.filter((item) => !item.disabled && item.checkVisibility());
+  }
+
   check(value: string): void {
-    for (const item of this.items)
-      if (item.role === 'menuitemradio') item.ariaChecked = String(item.dataset.value === value);
+    for (const item of this.all)
+      if (item.role === 'menuitemradio' && item.parentElement === this.menu)
+        item.ariaChecked = String(item.dataset.value === value);
   }
 
   open(): void {

@@ -20,7 +20,7 @@ const STAYS = { least: 12_000, perLetter: 80 };
  */
 export class Notice {
   private readonly box = element('notice', HTMLElement);
-
+  private sentences: string[] = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly events: TogetherEvents) {
@@ -41,17 +41,19 @@ export class Notice {
   /** `compressions`: how the file's triangles were compressed. `isTab`: those that were chosen with it are open, too. */
   show(opened: FileSource, compressions: string[], isTab: boolean): void {
     const together = isTab ? [] : opened.together;
-    const sentences = [...compressed(opened, compressions), ...oneOfMany(opened, together)];
     this.hide();
-    if (sentences.length === 0) return;
-    const text = create('p', '', sentences.join(' '));
+    this.sentences = [...compressed(opened, compressions), ...oneOfMany(opened, together)];
+    if (this.sentences.length === 0) return;
+    const text = create('p', '', this.sentences.join(' '));
     this.fill(text, ...this.choices(together));
   }
 
-  /** Adds what was found out later. */
+  /** Adds what was found out later, unless it says so already. */
   add(sentence: string): void {
+    if (this.sentences.includes(sentence)) return;
+    this.sentences.push(sentence);
     const text = this.box.querySelector('p');
-    if (text) text.textContent += ` ${sentence}`;
+    if (text) text.textContent = this.sentences.join(' ');
     else this.fill(create('p', '', sentence));
     this.wait();
   }
@@ -82,6 +84,7 @@ export class Notice {
   hide(): void {
     clearTimeout(this.timer);
     messageHidden(this.box);
+    this.sentences = [];
     this.box.replaceChildren();
   }
 

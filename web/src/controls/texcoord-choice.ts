@@ -38,8 +38,10 @@ export class TexcoordChoice {
   }
 }
 
-/** Faces that keep their uv keep it in the set that was read. */
-function usual({ mode, settings, source }: Outcome, free: number): number {
-  const isKept = mode === 'unwrap' && 'fixedFaces' in settings && settings.fixedFaces;
+/** What keeps its uv keeps it in the set that was read. */
+function usual({ settings, source }: Outcome, free: number): number {
+  const isKept =
+    ('fixedFaces' in settings && settings.fixedFaces) ||
+    ('keepPlaces' in settings && settings.keepPlaces);
   return isKept ? (source.kind === 'file' && source.texcoord) || 0 : free;
 }

@@ -2,13 +2,14 @@ import { element } from '../base/dom';
 import type { Mode } from '../model/settings';
 
 /** The tabs, as their ids in the page. */
-export type Tab = 'solver' | 'sweep' | 'methods' | 'charts' | 'history';
+export type Tab = 'solver' | 'sweep' | 'methods' | 'charts' | 'islands' | 'history';
 
-const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts', 'history'];
+const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts', 'islands', 'history'];
 /** The tabs of each kind of layout. */
 const TABS_OF: Record<Mode, Tab[]> = {
   flatten: ['solver', 'sweep', 'methods', 'history'],
   unwrap: ['charts', 'history'],
+  pack: ['islands', 'history'],
 };
 
 /** The pane that opens beside the layout and shows one of its tabs at a time. */

@@ -1,15 +1,25 @@
-import type { Report, UnwrapReport } from 'abflat';
+import type { PackReport, Report, UnwrapReport } from 'abflat';
 import { create, element } from '../base/dom';
+import { FAULTS } from '../colors/fault-colors';
 import type { ChartAreas } from '../mesh/chart-areas';
 import type { FlatDrawing } from '../model/drawing';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Outcome } from '../model/model';
 import { count, distortion, duration, measure } from '../words/format';
-import { ATLAS_METRICS, BADGES, DISK_METRICS, METRICS, REMEDIES } from '../words/result';
+import {
+  ATLAS_METRICS,
+  BADGES,
+  DISK_METRICS,
+  ISLAND_METRICS,
+  METRICS,
+  REMEDIES,
+} from '../words/result';
 import { atlasNotes } from './atlas-notes';
+import { islandNotes } from './islands';
 import { notes } from './notes';
-import { type Remedy, type Verdict, verdictOf } from './verdict';
+import type { Remedy, Verdict } from './remedy';
+import { verdictOf } from './verdict';
 
 /** `S` is what it measures. */
 interface Metric<S> {
@@ -88,11 +98,31 @@ const OF_ATLAS: Metric<MeasuredAtlas>[] = [
   },
   {
     ...ATLAS_METRICS.utilization,
-    value: ({ atlas }) => `${(100 * atlas.utilization).toFixed(1)}\u202f%`,
+    value: ({ atlas }) => percent(atlas.utilization),
   },
   {
     ...ATLAS_METRICS.texelDensity,
     value: ({ atlas, areas }) => measure(densityOf(areas, atlas.resolution)),
+  },
+  {
+    ...METRICS.faces,
+    value: ({ input }) => count(input.faces),
+  },
+];
+
+const OF_ISLANDS: Metric<PackReport>[] = [
+  {
+    ...ISLAND_METRICS.islands,
+    value: ({ islands }) => count(islands),
+    isBad: ({ valid }) => !valid,
+  },
+  ...FAULTS.map((fault) => ({
+    ...ISLAND_METRICS[fault],
+    value: ({ faces }: PackReport) => count(faces[fault]),
+  })),
+  {
+    ...ISLAND_METRICS.utilization,
+    value: ({ utilization }) => percent(utilization),
   },
   {
     ...METRICS.faces,
@@ -117,6 +147,7 @@ const GRADES: Record<Verdict['badge'], string> = {
   [BADGES.valid]: 'good',
   [BADGES.stretched]: 'warn',
   [BADGES.uneven]: 'warn',
+  [BADGES.asInFile]: 'warn',
   [BADGES.notValid]: 'bad',
 };
 
@@ -152,10 +183,7 @@ export class MetricsPanel {
 
   show(outcome: Outcome, { areas }: FlatDrawing): void {
     const { report } = outcome.result;
-    const items =
-      outcome.mode === 'unwrap'
-        ? this.itemsOf(OF_ATLAS, { ...outcome.result.report, areas })
-        : this.itemsOf(OF_DISK, outcome.result.report);
+    const items = this.figuresOf(outcome, areas);
     const refined = energiesOf(outcome);
     // Replaces the time, so that the number of items stays the same.
     const last = refined ? this.itemsOf([REFINED], { refined }) : this.itemsOf([TIME], report);
@@ -190,6 +218,12 @@ export class MetricsPanel {
     this.showRemedy(other ? null : (this.verdict?.remedy ?? null));
   }
 
+  private figuresOf(outcome: Outcome, areas: ChartAreas | null): HTMLElement[] {
+    if (outcome.mode === 'flatten') return this.itemsOf(OF_DISK, outcome.result.report);
+    if (outcome.mode === 'pack') return this.itemsOf(OF_ISLANDS, outcome.result.report);
+    return this.itemsOf(OF_ATLAS, { ...outcome.result.report, areas });
+  }
+
   private itemsOf<S>(metrics: Metric<S>[], subject: S): HTMLElement[] {
     const canShow = this.events.showWorst !== undefined;
     return metrics.map(({ label, title, value, isBad, measure }) => {
@@ -219,6 +253,7 @@ interface Energies {
 
 /** Area-weighted means over the refined charts; null if there are none. */
 function energiesOf(outcome: Outcome): Energies | null {
+  if (outcome.mode === 'pack') return null;
   const charts =
     outcome.mode === 'unwrap'
       ? outcome.result.report.charts
@@ -232,6 +267,8 @@ function energiesOf(outcome: Outcome): Energies | null {
   }
   return area > 0 ? { before: before / area, after: after / area } : null;
 }
+
+const percent = (share: number) => `${(100 * share).toFixed(1)}\u202f%`;
 
 const stretch = (energy: number) => (energy < 100 ? energy.toFixed(4) : measure(energy));
 
@@ -254,5 +291,6 @@ function linked(text: string, title: string, measure: Measure): HTMLElement {
 }
 
 function notesOf(outcome: Outcome): string[] {
+  if (outcome.mode === 'pack') return islandNotes(outcome);
   return outcome.mode === 'unwrap' ? atlasNotes(outcome) : notes(foundChart(outcome));
 }

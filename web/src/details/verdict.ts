@@ -6,17 +6,8 @@ import type { UnwrapSettings } from '../model/settings';
 import { stackedCharts } from '../model/stacks';
 import { sentence } from '../words/format';
 import { BADGES, VERDICT } from '../words/result';
-
-/** What would help: more seams, seams at all, or packing all charts anew. */
-export type Remedy = 'cut' | 'unwrap' | 'pack';
-
-export interface Verdict {
-  badge: (typeof BADGES)[Exclude<keyof typeof BADGES, 'none'>];
-  /** One sentence on why. */
-  reason: string;
-  /** What the user can do about it; null if no single click helps. */
-  remedy: Remedy | null;
-}
+import { ofIslands } from './islands';
+import type { Verdict } from './remedy';
 
 /**
  * Limit for a mesh in one piece: the square root of its length distortion, which is how much its
@@ -33,6 +24,7 @@ const MOST_UNEVEN = 1.1;
  * they are drawn.
  */
 export function verdictOf(outcome: Outcome, areas: ChartAreas | null): Verdict {
+  if (outcome.mode === 'pack') return ofIslands(outcome);
   return outcome.mode === 'unwrap' ? ofAtlas(outcome, areas) : ofDisk(outcome.result.report);
 }
 
@@ -123,10 +115,11 @@ const rangeOf = (densities: number[]): [number, number] => [
   densities.reduce((most, each) => Math.max(most, each), 0),
 ];
 
-/** Leaves out charts whose shape the user asked to keep. */
+/** Leaves out charts whose shape the user asked to keep, and the front of a figure, within its leeway. */
 function stretchedCharts({ charts }: UnwrapReport, maxStretch: number) {
   return charts.filter(
-    (chart) => chart.solver !== 'given' && chart.symmetricDirichlet > maxStretch,
+    ({ solver, symmetricDirichlet, leeway }) =>
+      solver !== 'given' && symmetricDirichlet > 1 + leeway * (maxStretch - 1),
   );
 }
 

@@ -1,3 +1,4 @@
+import { faultColor } from '../colors/fault-colors';
 import { checkerCells, inCells } from '../mesh/checker';
 import { areaVectors, facing, perCorner, toCorners, vertexNormals } from '../mesh/mesh';
 import { toUnitSphere } from '../mesh/unit-sphere';
@@ -38,21 +39,26 @@ export function drawFlatMesh(picture: FlatPicture, chartCount: number): MeshDraw
 }
 
 export function drawMarks(picture: FlatPicture): TriangleMarks {
-  const { heat, mesh, charts, chartColors, source } = picture;
+  const { heat, mesh, charts, chartColors, source, faults } = picture;
   const none = new Float32Array(mesh.indices.length / 3);
   return {
     heat: heatOfCorners(heat.places),
-    chart: toCorners(charts && chartColors ? colorsOf(charts, chartColors) : none),
+    chart: toCorners(charts && chartColors ? colorsOf(charts, chartColors, faults) : none),
     piece: toCorners(charts ?? none),
     ...(source && { source }),
   };
 }
 
-/** The number of the colour of each triangle; 0 where it has no chart. */
-function colorsOf(charts: Uint32Array, chartColors: Float32Array): Float32Array {
+/** The number of the colour of each triangle: of what is wrong with it or of its chart; 0 where it has none. */
+function colorsOf(
+  charts: Uint32Array,
+  chartColors: Float32Array,
+  faults?: Uint8Array,
+): Float32Array {
   const colors = new Float32Array(charts.length);
   for (let f = 0; f < charts.length; ++f)
-    if (charts[f] < chartColors.length) colors[f] = chartColors[charts[f]];
+    if (charts[f] < chartColors.length)
+      colors[f] = faultColor(faults?.[f] ?? 0) ?? chartColors[charts[f]];
   return colors;
 }
 

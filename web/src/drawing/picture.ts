@@ -45,6 +45,10 @@ export interface FlatPicture extends Picture {
   tiles?: number;
   /** See `TriangleMarks`. */
   source?: Float32Array;
+  /** Per triangle, bits of what is wrong with it in uv and is to be marked. */
+  faults?: Uint8Array;
+  /** The layout is that of the file, which may be anywhere and have no uv for some triangles. */
+  isOfFile?: boolean;
 }
 
 /** Vertices at the same point count as one, so the boundary is that of the surface. */
@@ -56,9 +60,10 @@ export function meshPicture(mesh: DisplayMesh): Picture {
 export type AtlasArrays = Pick<
   Unwrapped['result'],
   'uv' | 'indices' | 'vertexMap' | 'positions' | 'chartOfTriangle'
->;
+> &
+  Pick<FlatPicture, 'faults'>;
 
-export interface AtlasSize {
+export interface AtlasSize extends Pick<FlatPicture, 'isOfFile'> {
   tiles: number;
   chartCount: number;
   /** The number of each chart's colour, if it has one already; -1 for others. */
@@ -69,15 +74,18 @@ export interface AtlasSize {
 
 export function atlasPicture(
   atlas: AtlasArrays,
-  { tiles, chartCount, colors, asked }: AtlasSize,
+  { tiles, chartCount, colors, asked, isOfFile }: AtlasSize,
   input: DisplayMesh,
 ): FlatPicture {
-  const { uv, indices, vertexMap, chartOfTriangle } = atlas;
+  const { uv, indices, vertexMap, chartOfTriangle, faults } = atlas;
   const positions = positionsOf(atlas, input);
   const mesh = { positions, indices, uv };
   const sizes = areasOf(mesh);
   const none = new Uint32Array();
-  const edges = edgesOfOne(indices, weldInCharts(atlas));
+  const edges = edgesOfOne(
+    isOfFile ? cornersOfCharts(indices, chartOfTriangle, chartCount) : indices,
+    weldInCharts(atlas),
+  );
   const places = weld(positions, 3);
   return {
     mesh,
@@ -91,10 +99,16 @@ export function atlasPicture(
     charts: chartOfTriangle,
     areas: chartAreas(sizes, chartOfTriangle, chartCount, { asked, faces: input.faces }),
     tiles,
+    ...(faults && { faults }),
+    ...(isOfFile && { isOfFile }),
     source: meshCorners(input, atlas),
     chartColors: chartColors({ indices, chartOfTriangle, chartCount, edges, places, uv }, colors),
   };
 }
+
+/** Those of triangles that have a chart. */
+export const cornersOfCharts = (indices: Uint32Array, charts: Uint32Array, chartCount: number) =>
+  indices.filter((_, c) => charts[Math.floor(c / 3)] < chartCount);
 
 /** Vertices at the same point of the same chart count as one; charts may lie on top of each other. */
 function weldInCharts({ uv, indices, chartOfTriangle }: AtlasArrays): Uint32Array {

@@ -20,6 +20,7 @@ export class ExportControl {
   private readonly menu: MenuButton;
   private chosen: ExportFormat = EXPORT_FORMATS[0];
   private earlier: string | null = null;
+  private isBaked = false;
 
   constructor(events: ExportEvents) {
     this.button.addEventListener('click', () => events.export());
@@ -46,6 +47,16 @@ export class ExportControl {
     this.choose(exportFormatOf(source.name));
   }
 
+  chooseGlb(): void {
+    this.choose('glb');
+  }
+
+  /** Whether a GLB gets new textures. */
+  showBaked(isBaked: boolean): void {
+    this.isBaked = isBaked;
+    this.show();
+  }
+
   openMenu(): void {
     this.menu.open();
   }
@@ -69,7 +80,8 @@ export class ExportControl {
 
   private show(): void {
     const { earlier } = this;
-    const format = exportedFile(this.chosen).title;
+    const { title } = exportedFile(this.chosen);
+    const format = this.isBaked && this.chosen === 'glb' ? EXPORT.baked(title) : title;
     this.text.textContent = earlier ? EXPORT.exportLast : EXPORT.export(format);
     this.button.title = earlier ? EXPORT.previous(earlier) : '';
   }

@@ -1,9 +1,14 @@
+import type { Abflat, MeshInput } from 'abflat';
 import { download } from '../base/download';
 import { exportedFile, exportFormatOf, meshFileOf } from '../base/mesh-files';
+import { type Bakeable, type ImageSide, isBakeable } from '../model/baking';
 import type { Outcome } from '../model/model';
-import type { Written } from '../session/write-again';
-import { EXPORT, SAVED } from '../words/export';
+import { writeAgain } from '../session/write-again';
+import { BAKING } from '../words/baking';
+import { SAVED } from '../words/export';
+import { EXPORTED } from '../words/exported';
 import type { ExportFormat } from '../words/generated-formats';
+import { bakedGlb } from '../workshop/baked-glb';
 import type { Workshop } from '../workshop/workshop';
 
 /** What is to be written. */
@@ -12,40 +17,70 @@ export interface ExportRequest {
   format: ExportFormat;
   /** The set of a glTF that gets the coordinates. */
   texcoord: number;
+  /** Of the new images, if the textures of a glTF are to follow its layout. */
+  imageSide: ImageSide | null;
 }
 
 /** Who writes. */
 export interface Writers {
   workshop: Workshop;
-  /** Asks abflat for a file that the result came without. */
-  again(outcome: Outcome, format: ExportFormat): Promise<Written>;
+  /** Works on the mesh beside runs, whose abflat it uses, until it is cancelled. */
+  aside<T>(work: (abflat: Abflat, input: MeshInput, signal: AbortSignal) => Promise<T>): Promise<T>;
+  say(text: string): void;
+  /** The share that is done of something. */
+  progress(fraction: number, what: string): void;
 }
 
-/** Offers the result as NAME-uv with the ending of its format. Returns what was done, for people. */
-export async function exportMesh(request: ExportRequest, writers: Writers): Promise<string> {
+/** What was done, for people. */
+export interface Exported {
+  done: string;
+  /** What to know about it that takes longer to read. */
+  notes: string[];
+}
+
+/** Offers the result as NAME-uv with the ending of its format. */
+export async function exportMesh(request: ExportRequest, writers: Writers): Promise<Exported> {
   const { source } = request.outcome;
   const base = source.name.replace(/\.[^.]*$/, '');
-  const { file, remarks } = await write(request, base, writers);
+  const { file, remarks, notes = [] } = await write(request, base, writers);
   const name = `${base}-uv.${request.format}`;
   download(name, exportedFile(request.format).type, file);
   const size = file instanceof Blob ? file.size : file.length;
-  const exported = EXPORT.exported(name, SAVED.kilobytes(size));
-  return [exported + after(request), ...setOf(request), ...remarks].join('. ');
+  const exported = EXPORTED.exported(name, SAVED.kilobytes(size));
+  return { done: [exported + after(request), ...remarks].join('. '), notes };
 }
 
 interface Output {
   file: Uint8Array | Blob;
   /** For people. */
   remarks: string[];
+  notes?: string[];
 }
 
 async function write(request: ExportRequest, name: string, writers: Writers): Promise<Output> {
-  const { outcome, format, texcoord } = request;
+  const { outcome, format, texcoord, imageSide } = request;
+  if (format === 'glb' && imageSide !== null && isBakeable(outcome))
+    return bake(outcome, imageSide, writers);
   const own = format === 'glb' ? undefined : outcome.result[format];
   if (own) return { file: own, remarks: [] };
   if (format === 'glb' && outcome.gltf)
-    return { file: await writers.workshop.glb(outcome, texcoord, name), remarks: [] };
+    return { file: await writers.workshop.glb(outcome, texcoord, name), remarks: setOf(request) };
   return convert(request, name, writers);
+}
+
+async function bake(outcome: Bakeable, side: ImageSide, writers: Writers): Promise<Output> {
+  const onProgress = (fraction: number) => writers.progress(fraction, BAKING.baking);
+  const { file, images, notes } = await writers.aside((abflat, _, signal) => {
+    onProgress(0);
+    return bakedGlb(abflat, { outcome, side }, { signal, onProgress });
+  });
+  const isStacked = outcome.mode === 'unwrap' && Boolean(outcome.stacks?.length);
+  const sentences = [BAKING.images(images), ...notes.map(BAKING.note)];
+  return {
+    file,
+    remarks: images.length > 0 ? [BAKING.done] : [],
+    notes: [...sentences, isStacked ? BAKING.stacked : ''].filter(Boolean),
+  };
 }
 
 /** In a format that the mesh did not come in. */
@@ -54,8 +89,11 @@ async function convert(
   name: string,
   writers: Writers,
 ): Promise<Output> {
-  const written = await writers.again(outcome, format);
-  const remarks = outcome.result.report.valid && !written.isValid ? [EXPORT.rounded] : [];
+  writers.say(EXPORTED.writing(format.toUpperCase()));
+  const written = await writers.aside((abflat, input, signal) =>
+    writeAgain(abflat, input, outcome, format, writers.workshop, signal),
+  );
+  const remarks = outcome.result.report.valid && !written.isValid ? [EXPORTED.rounded] : [];
   if (format === 'glb') return { file: await writers.workshop.glb(outcome, 0, name), remarks };
   const file = written[format];
   if (!file) throw new Error(`The result came without ${exportedFile(format).title}.`);
@@ -63,18 +101,17 @@ async function convert(
 }
 
 /** Which texcoord set has the new UVs, where a file may have several. */
-function setOf({ outcome, format, texcoord }: ExportRequest): string[] {
-  const { gltf } = outcome;
-  if (format !== 'glb' || !gltf || (gltf.freeTexcoord === 0 && gltf.texcoordSets === 0)) return [];
-  if (gltf.paintedSets.includes(texcoord)) return [EXPORT.replacedPainted(texcoord)];
-  if (texcoord < gltf.texcoordSets) return [EXPORT.replaced(texcoord)];
+function setOf({ outcome: { gltf }, texcoord }: ExportRequest): string[] {
+  if (!gltf || (gltf.freeTexcoord === 0 && gltf.texcoordSets === 0)) return [];
+  if (gltf.paintedSets.includes(texcoord)) return [EXPORTED.replacedPainted(texcoord)];
+  if (texcoord < gltf.texcoordSets) return [EXPORTED.replaced(texcoord)];
   const isPainted = gltf.paintedSets.length > 0;
-  return [isPainted ? EXPORT.addedToPainted(texcoord) : EXPORT.added(texcoord)];
+  return [isPainted ? EXPORTED.addedToPainted(texcoord) : EXPORTED.added(texcoord)];
 }
 
 function after({ outcome, format }: ExportRequest): string {
   const { name } = outcome.source;
   const hasMore = Boolean(meshFileOf(name)?.exported);
-  if (hasMore && format !== exportFormatOf(name)) return EXPORT.shapeOnly;
-  return outcome.gltf?.compressions.length ? EXPORT.uncompressed : '';
+  if (hasMore && format !== exportFormatOf(name)) return EXPORTED.shapeOnly;
+  return outcome.gltf?.compressions.length ? EXPORTED.uncompressed : '';
 }

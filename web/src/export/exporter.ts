@@ -1,7 +1,6 @@
 import { loadPart } from '../base/load-part';
 import { Job } from '../session/job';
 import type { Session } from '../session/session';
-import { writeAgain } from '../session/write-again';
 import { EXPORT } from '../words/export';
 import type { Workshop } from '../workshop/workshop';
 import type { ExportRequest } from './export-mesh';
@@ -10,6 +9,12 @@ export const exportMeshes = () => loadPart(import('./export-mesh'));
 
 export interface ExporterEvents {
   say(text: string): void;
+  /** Something that takes long, and can be stopped, is done in part. */
+  progress(fraction: number, what: string): void;
+  /** The work whose progress was shown has ended. */
+  ended(text: string): void;
+  /** What to know about a file that was written. */
+  noted(notes: string[]): void;
   /** A file has the layout. */
   exported(request: ExportRequest): void;
   failed(request: ExportRequest, error: Error): void;
@@ -18,6 +23,8 @@ export interface ExporterEvents {
 /** Exports one file at a time. A file that abflat has to write first waits for the run in flight. */
 export class Exporter {
   private readonly job = new Job(() => undefined);
+  /** Whether progress of the export in flight was shown. */
+  private isShown = false;
 
   constructor(
     private readonly session: Session,
@@ -30,23 +37,22 @@ export class Exporter {
     this.job
       .start(async (signal) => {
         const { exportMesh } = await exportMeshes();
-        const done = await exportMesh(request, {
+        const { done, notes } = await exportMesh(request, {
           workshop: this.workshop,
-          again: (outcome, format) => {
-            this.events.say(EXPORT.writing(format.toUpperCase()));
-            return this.session.aside(
-              (abflat, input, signal) =>
-                writeAgain(abflat, input, outcome, format, this.workshop, signal),
-              signal,
-            );
+          aside: (work) => this.session.aside(work, signal),
+          say: (text) => this.events.say(text),
+          progress: (fraction, what) => {
+            this.isShown = true;
+            this.events.progress(fraction, what);
           },
         });
         if (signal.aborted) return;
         this.events.exported(request);
-        this.events.say(remark ? `${done}. ${remark}` : done);
+        this.end(remark ? `${done}. ${remark}` : done);
+        this.events.noted(notes);
       })
       .catch((error: Error) => {
-        this.events.say(EXPORT.notExported);
+        this.end(EXPORT.notExported);
         this.events.failed(request, error);
       });
   }
@@ -55,7 +61,13 @@ export class Exporter {
   stop(): boolean {
     if (!this.job.isRunning) return false;
     this.job.stop();
-    this.events.say(EXPORT.cancelled);
+    this.end(EXPORT.cancelled);
     return true;
+  }
+
+  private end(text: string): void {
+    if (this.isShown) this.events.ended(text);
+    else this.events.say(text);
+    this.isShown = false;
   }
 }

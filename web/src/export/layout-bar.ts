@@ -4,7 +4,7 @@ import { CHART_COLORS } from '../colors/chart-colors';
 import { NumberField } from '../controls/number-field';
 import { pictureSize } from '../files/picture-size';
 import type { AtlasDrawing } from '../files/svg-text';
-import type { Unwrapped } from '../model/model';
+import type { Packed, Unwrapped } from '../model/model';
 import type { Mode } from '../model/settings';
 import { SAVED } from '../words/export';
 import type { Workshop } from '../workshop/workshop';
@@ -13,12 +13,12 @@ export interface LayoutBarEvents {
   say(text: string): void;
   /** A file was saved; `what` says so. */
   saved(what: string): void;
-  failed(outcome: Unwrapped, error: Error): void;
+  failed(outcome: Unwrapped | Packed, error: Error): void;
 }
 
 /** An atlas that can be saved. */
 interface Shown {
-  outcome: Unwrapped;
+  outcome: Unwrapped | Packed;
   /** The number of each chart's colour. */
   chartColors: Float32Array;
 }
@@ -95,19 +95,24 @@ export class LayoutBar {
 }
 
 function drawingOf({ outcome, chartColors }: Shown): AtlasDrawing {
-  const { result, mesh } = outcome;
+  const { uv, indices } = outcome.result;
+  const { faces } = outcome.mesh;
+  return { uv, indices, faces, ...chartsOf(outcome), colors: colorsOf(chartColors) };
+}
+
+function chartsOf({ mode, result }: Shown['outcome']) {
+  if (mode === 'pack') {
+    const { islands: chartCount, resolution, tiles, texelDensity } = result.report;
+    return { charts: result.islandOfTriangle, chartCount, resolution, tiles, texelDensity };
+  }
   const { charts, atlas } = result.report;
   const { resolution, tiles, texelDensity } = atlas;
   return {
-    uv: result.uv,
-    indices: result.indices,
     charts: result.chartOfTriangle,
-    faces: mesh.faces,
     chartCount: charts.length,
     resolution,
     tiles,
     texelDensity,
-    colors: colorsOf(chartColors),
   };
 }
 

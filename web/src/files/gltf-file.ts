@@ -1,11 +1,11 @@
 // Reads glTF files as one mesh, and writes them back with its new coordinates.
 
-import type { Document, Primitive } from '@gltf-transform/core';
+import type { Document, Material, Primitive } from '@gltf-transform/core';
 import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords } from 'abflat/gltf';
 import type { ChosenGltf, GltfFile, GltfFiles, LayoutArrays } from '../model/model';
 import { GLTF } from '../words/gltf';
 import { compressionsOf, decompressed } from './compression';
-import { gltfIo, openGltf } from './gltf-source';
+import { glbOf, gltfIo, openGltf } from './gltf-source';
 
 /** Null for a compressed file, which `readCompressed` reads. */
 export function readGltf(chosen: ChosenGltf): Promise<GltfFile | null> {
@@ -72,6 +72,7 @@ function contentOf(name: string, document: Document, texcoord: number): Omit<Glt
     notes,
     texcoordSets: texcoordSets(primitives),
     paintedSets: sampledTexcoords(primitives),
+    hasMaps: primitives.some((each) => hasMaps(each.getMaterial())),
     compressions: [],
   };
 }
@@ -82,17 +83,16 @@ function texcoordSets(primitives: Primitive[]): number {
   return sets;
 }
 
+/** Not those of extensions, which keep their layout. */
+const hasMaps = (material: Material | null) =>
+  material !== null &&
+  [
+    material.getBaseColorTexture(),
+    material.getMetallicRoughnessTexture(),
+    material.getOcclusionTexture(),
+    material.getNormalTexture(),
+    material.getEmissiveTexture(),
+  ].some((texture) => texture !== null);
+
 const fileOf = (name: string, bytes: Uint8Array) =>
   new File([bytes as Uint8Array<ArrayBuffer>], name);
-
-async function glbOf(document: Document): Promise<Uint8Array<ArrayBuffer>> {
-  joinBuffers(document);
-  return (await gltfIo().writeBinary(document)) as Uint8Array<ArrayBuffer>;
-}
-
-/** A GLB has only one buffer. */
-function joinBuffers(document: Document): void {
-  const [first, ...more] = document.getRoot().listBuffers();
-  for (const accessor of document.getRoot().listAccessors()) accessor.setBuffer(first ?? null);
-  for (const buffer of more) buffer.dispose();
-}

@@ -1,6 +1,6 @@
 // glTF files as they are stored: JSON and the bytes that belong to it.
 
-import { type JSONDocument, WebIO } from '@gltf-transform/core';
+import { type Document, type JSONDocument, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { isGlb, meshFileOf } from '../base/mesh-files';
 import { GLTF } from '../words/gltf';
@@ -21,6 +21,18 @@ interface Opened {
 }
 
 export const gltfIo = () => new WebIO().registerExtensions(ALL_EXTENSIONS);
+
+export async function glbOf(document: Document): Promise<Uint8Array<ArrayBuffer>> {
+  joinBuffers(document);
+  return (await gltfIo().writeBinary(document)) as Uint8Array<ArrayBuffer>;
+}
+
+/** A GLB has only one buffer. */
+function joinBuffers(document: Document): void {
+  const [first, ...more] = document.getRoot().listBuffers();
+  for (const accessor of document.getRoot().listAccessors()) accessor.setBuffer(first ?? null);
+  for (const buffer of more) buffer.dispose();
+}
 
 /** Opens a file and those of `others` that it refers to. */
 export async function openGltf(file: File, others: File[]): Promise<Opened> {

@@ -1,6 +1,7 @@
-import { create, element } from '../base/dom';
-import { KEY_NAMES } from '../words/help';
-import { CONTROLS, type Control, type ControlGroup } from './keys';
+import { element } from '../base/dom';
+import { loadPart, reasonOf } from '../base/load-part';
+
+export const helpParts = () => loadPart(import('./help-groups'));
 
 /** The sheet with all keys. */
 export class HelpSheet {
@@ -19,30 +20,19 @@ export class HelpSheet {
   }
 
   open(): void {
-    if (this.groups.childElementCount === 0) this.groups.append(...CONTROLS.map(section));
     if (!this.sheet.open) this.sheet.showModal();
+    helpParts().then(
+      ({ helpGroups }) => {
+        if (this.isEmpty) this.groups.replaceChildren(...helpGroups());
+      },
+      (error: Error) => {
+        if (this.isEmpty) this.groups.textContent = reasonOf(error);
+      },
+    );
   }
-}
 
-function section({ title, where, controls }: ControlGroup): HTMLElement {
-  const made = create('section', 'help-group');
-  const list = create('dl', 'help-list');
-  for (const control of controls) list.append(row(control));
-  made.append(create('h3', '', title), ...(where ? [create('p', 'help-where', where)] : []), list);
-  return made;
-}
-
-function row({ keys, gestures, does }: Control): HTMLElement {
-  const made = create('div', 'help-row');
-  const how = create('dt', '');
-  for (const key of keys) how.append(keyOf(key));
-  if (gestures) how.append(create('span', 'help-gestures', gestures));
-  made.append(how, create('dd', '', does));
-  return made;
-}
-
-/** "Ctrl+Z": its parts as on the keyboard; + alone is a key. */
-function keyOf(key: string): HTMLElement {
-  const parts = key === '+' ? [key] : key.split('+');
-  return create('kbd', '', parts.map((part) => KEY_NAMES[part] ?? part).join(' '));
+  /** Without the groups; it may say why. */
+  private get isEmpty(): boolean {
+    return this.groups.childElementCount === 0;
+  }
 }

@@ -72,6 +72,8 @@ export interface LayoutDrawing {
   unit: number;
   /** `FLAT_FRAME` per chart. */
   frames: Float32Array;
+  /** The layout is that of a file. */
+  isOfFile: boolean;
 }
 
 /** A mesh before it is flattened. */

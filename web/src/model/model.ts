@@ -4,6 +4,8 @@ import type {
   FlattenResult,
   MeshInput,
   MeshSummary,
+  PackProgress,
+  PackResult,
   Progress,
   UnwrapProgress,
   UnwrapResult,
@@ -11,7 +13,7 @@ import type {
 import { meshFileOf } from '../base/mesh-files';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from './drawing';
-import type { FlattenSettings, UnwrapSettings } from './settings';
+import type { FlattenSettings, PackSettings, UnwrapSettings } from './settings';
 import type { Stack, Stacks } from './stacks';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
@@ -58,6 +60,8 @@ export interface GltfFile {
   texcoordSets: number;
   /** The sets that textures use. */
   paintedSets: number[];
+  /** Whether its materials have textures that can follow a new layout. */
+  hasMaps: boolean;
   files: GltfFiles;
   /** What to know about how it was read, one sentence each. */
   notes: string[];
@@ -75,6 +79,10 @@ export interface Opened {
   /** Set for a glTF, which abflat gets as arrays. */
   gltf?: GltfFile;
 }
+
+/** Whether the file has UVs. Vertices of a glTF that were joined have lost them. */
+export const hasUvs = ({ summary, gltf }: Pick<Opened, 'summary' | 'gltf'>): boolean =>
+  summary.texcoords > 0 || gltf?.mesh.texcoords !== undefined;
 
 interface Made {
   source: Source;
@@ -102,9 +110,16 @@ export interface Unwrapped extends Made {
   unstacked?: number;
 }
 
-export type Outcome = Flattened | Unwrapped;
+/** The UVs of the file, as they are or packed. */
+export interface Packed extends Made {
+  mode: 'pack';
+  settings: PackSettings;
+  result: PackResult;
+}
 
-export type AnyProgress = Progress | UnwrapProgress;
+export type Outcome = Flattened | Unwrapped | Packed;
+
+export type AnyProgress = Progress | UnwrapProgress | PackProgress;
 
 /** Other work on meshes that the session needs, done off the main thread. */
 export interface Helpers {

@@ -1,4 +1,10 @@
-import type { KnownLayout, UnwrapResult, VertexBound } from 'abflat';
+import {
+  type KnownLayout,
+  PACK_DEFAULTS,
+  type PackOptionValues,
+  type UnwrapResult,
+  type VertexBound,
+} from 'abflat';
 import type { Bound } from '../words/format';
 import type { FaceDensities } from './face-densities';
 import type { MoreOptions } from './more-options';
@@ -18,8 +24,8 @@ export interface Kept {
   charts: Uint32Array;
 }
 
-/** A disk in one piece, or any mesh in charts. */
-export type Mode = 'flatten' | 'unwrap';
+/** A disk in one piece, any mesh in charts, or the UVs of the file. */
+export type Mode = 'flatten' | 'unwrap' | 'pack';
 
 /** What the user can ask of a layout. */
 export interface FlattenSettings {
@@ -61,11 +67,36 @@ export interface UnwrapSettings extends MoreOptions, Marks {
   placed?: Placed;
 }
 
-export type Settings = FlattenSettings | UnwrapSettings;
+/** How the islands of a file are packed. */
+export type PackChoices = Pick<PackOptionValues, 'padding' | 'margin' | 'rotate' | 'islandSizes'>;
+
+/** What the user can ask of the UVs of a file. */
+export interface PackSettings extends Partial<PackChoices> {
+  mode: 'pack';
+  /** They are shown as they are. */
+  keepPlaces: boolean;
+  /** Texels along a side. */
+  resolution: number;
+}
+
+export type Settings = FlattenSettings | UnwrapSettings | PackSettings;
+
+export function usualPackChoices(): PackChoices {
+  const { padding, margin, rotate, islandSizes } = PACK_DEFAULTS;
+  return { padding, margin, rotate, islandSizes };
+}
+
+/** How islands are packed does not matter while they stay where they are. */
+export const packSettings = (
+  keepPlaces: boolean,
+  resolution: number,
+  choices: PackChoices,
+): PackSettings => ({ mode: 'pack', keepPlaces, resolution, ...(!keepPlaces && choices) });
 
 /** Whether the layout itself depends on what was done by hand to this mesh, which no other mesh takes over. */
 export function isMadeByHand(settings: Settings): boolean {
   if (settings.mode === 'flatten') return settings.bounds !== undefined;
+  if (settings.mode === 'pack') return false;
   const { seamEdges, placed, faceDensities } = settings;
   const isMoved = placed !== undefined && !placed.repacks;
   return isMoved || Boolean(seamEdges ?? faceDensities);

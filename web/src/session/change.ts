@@ -3,7 +3,8 @@
 import { MORE, MORE_LABELS } from '../model/more-options';
 import type { Settings } from '../model/settings';
 import type { Bound } from '../words/format';
-import { CHANGES, LAYING_OUT } from '../words/run';
+import { CHANGES } from '../words/run';
+import { layingOut } from './words';
 
 export interface Change {
   /** "Max stretch 1.05" */
@@ -16,6 +17,9 @@ type Values = Record<string, unknown>;
 
 /** The words for each setting that has changed; those that go with a slider or a field are streams. */
 const NAMES: Record<string, (value: never) => Change> = {
+  keepPlaces: (keeps: boolean) => ({ text: keeps ? CHANGES.fileUvs : CHANGES.packIslands }),
+  margin: (texels: number | 'auto') => ({ text: CHANGES.margin(texels), stream: 'margin' }),
+  islandSizes: (sizes: string) => ({ text: CHANGES.sizes(sizes) }),
   t: (t: Bound) => ({ text: CHANGES.t(t), stream: 't' }),
   balance: (balance: number) => ({ text: CHANGES.balance(balance), stream: 'balance' }),
   delaunay: (isOn: boolean) => ({ text: CHANGES.delaunay(isOn) }),
@@ -39,7 +43,7 @@ const NAMES: Record<string, (value: never) => Change> = {
 
 /** What was changed from one to the other; the first difference in the order of the page. */
 export function changeBetween(before: Settings, after: Settings): Change {
-  if (before.mode !== after.mode) return { text: LAYING_OUT[after.mode].verb };
+  if (before.mode !== after.mode) return { text: layingOut(after).verb };
   const [from, to]: Values[] = [{ ...before }, { ...after }];
   for (const [name, words] of Object.entries(NAMES))
     if (from[name] !== to[name]) return words(to[name] as never);

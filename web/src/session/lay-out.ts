@@ -1,8 +1,8 @@
 import type { Abflat, AbflatError, UnwrapOptions } from 'abflat';
 import { copied } from '../base/buffers';
 import { exportFormatOf } from '../base/mesh-files';
-import type { AnyProgress, Opened, Outcome, Unwrapped } from '../model/model';
-import { type Settings, sameButSeams, type UnwrapSettings } from '../model/settings';
+import type { AnyProgress, Flattened, Opened, Outcome, Unwrapped } from '../model/model';
+import { type FlattenSettings, sameButSeams, type UnwrapSettings } from '../model/settings';
 import { stackedCharts, stacksIn, withStacks } from '../model/stacks';
 import type { ExportFormat } from '../words/generated-formats';
 import { judged, keepingStacks, type StackHelpers } from './stacks';
@@ -64,12 +64,12 @@ const isSeamEdit = (before: UnwrapSettings, after: UnwrapSettings) =>
 export async function layOut(
   abflat: Abflat,
   { source, input, mesh, gltf }: Input,
-  settings: Settings,
+  settings: FlattenSettings | UnwrapSettings,
   earlier: Outcome | null,
   watch: Watch,
   helpers: StackHelpers,
   format: ExportFormat = exportFormatOf(source.name),
-): Promise<Outcome> {
+): Promise<Flattened | Unwrapped> {
   const roundsForGltf = exportFormatOf(source.name) === 'glb';
   const file = format === 'glb' ? {} : { [format]: true };
   if (settings.mode === 'flatten') {
@@ -98,7 +98,7 @@ export async function layOut(
     });
   const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
   const known = fromEarlier(settings, last);
-  const made = ({ stacks, ...rest }: Packed): Outcome => {
+  const made = ({ stacks, ...rest }: Packed): Unwrapped => {
     const isAsBefore = last?.settings.stack === settings.stack;
     const unstacked = isAsBefore ? stackedCharts(last?.stacks) - stackedCharts(stacks) : 0;
     return { mode, source, mesh, gltf, settings, ...rest, stacks, unstacked };

@@ -16,6 +16,7 @@ import type { Settings } from '../model/settings';
 import { READING } from '../words/opening';
 import { layOut } from './lay-out';
 import { currentStep, type Left } from './left-meshes';
+import { packUvs } from './pack-uvs';
 import { notSupported } from './words';
 
 export interface SessionEvents {
@@ -180,7 +181,11 @@ export class Session {
         },
       };
       const { outcome: last, helpers } = this;
-      const outcome = await layOut(await this.abflat(), opened, settings, last, watch, helpers);
+      const abflat = await this.abflat();
+      const outcome =
+        settings.mode === 'pack'
+          ? await packUvs(abflat, opened, settings, watch)
+          : await layOut(abflat, opened, settings, last, watch, helpers);
       if (controller !== this.running) return;
       const drawing = await this.helpers.outcome(outcome);
       if (controller === this.running) this.outcome = outcome;

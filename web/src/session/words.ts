@@ -3,10 +3,11 @@ import type { DisplayMesh } from '../mesh/mesh';
 import { foundChart } from '../model/found-chart';
 import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
 import { changedOptions } from '../model/more-options';
-import type { Settings } from '../model/settings';
+import { type PackSettings, type Settings, usualPackChoices } from '../model/settings';
 import { ended, inPageWords } from '../words/format';
 import { READING } from '../words/opening';
-import { LAYING_OUT, RUN, SETTINGS } from '../words/run';
+import { ISLANDS } from '../words/result';
+import { LAYING_OUT, LOOKING_AT_UVS, RUN, SETTINGS } from '../words/run';
 import { SHOWN } from '../words/view';
 import { inRoomWords } from './no-room';
 import { titleOf } from './titles';
@@ -21,12 +22,28 @@ export function settingsText(settings: Settings): string {
     const rest = [...lengths, size, ...changedOptions(settings)];
     return [along, SETTINGS.stretch(maxStretch), ...rest].join(', ');
   }
+  if (settings.mode === 'pack') return packText(settings);
   const delaunay = settings.delaunay ? [SETTINGS.delaunay] : [];
   const lengths = balanceText(settings.balance, FLATTEN_DEFAULTS.balance);
   const count = settings.bounds?.length ?? 0;
   const own = count > 0 ? [SETTINGS.ownBounds(count)] : [];
   return [SETTINGS.t(settings.t), ...own, ...lengths, ...delaunay].join(', ');
 }
+
+function packText({ keepPlaces, resolution, ...choices }: PackSettings): string {
+  if (keepPlaces) return SETTINGS.uvsOfFile;
+  const { padding, margin, rotate, islandSizes } = { ...usualPackChoices(), ...choices };
+  return [
+    SETTINGS.size(resolution, padding),
+    SETTINGS.margin(margin),
+    SETTINGS.rotation(rotate),
+    SETTINGS.sizes(islandSizes),
+  ].join(', ');
+}
+
+/** What is done to a mesh, in words. */
+export const layingOut = (settings: Settings) =>
+  settings.mode === 'pack' && settings.keepPlaces ? LOOKING_AT_UVS : LAYING_OUT[settings.mode];
 
 const balanceText = (balance: number, usual: number) =>
   balance === usual ? [] : [SETTINGS.balance(balance)];
@@ -48,7 +65,7 @@ export const notSupported = (name: string): string =>
 export function failure(source: Source, settings: Settings | null, message: string): string {
   const text = inRoomWords(inPageWords(message));
   if (text.includes(source.name)) return ended(text);
-  return RUN.failed(titleOf(source), settings && LAYING_OUT[settings.mode].done, text);
+  return RUN.failed(titleOf(source), settings && layingOut(settings).done, text);
 }
 
 /**
@@ -57,6 +74,10 @@ export function failure(source: Source, settings: Settings | null, message: stri
  */
 export function layoutInfo(outcome: Outcome): string {
   if (outcome.mode === 'flatten') return boundInfo(outcome);
+  if (outcome.mode === 'pack') {
+    const { islands, tiles } = outcome.result.report;
+    return ISLANDS.info(islands, tiles);
+  }
   const { charts, atlas } = outcome.result.report;
   const found = foundText(outcome.result.report);
   return SHOWN.charts(charts.length, atlas.tiles) + (found ? `: ${found}` : '');
@@ -93,6 +114,7 @@ export function kept(outcome: Outcome): string {
     const own = outcome.settings.bounds?.length ?? 0;
     return own > 0 ? RUN.ownBounds(own) : '';
   }
+  if (outcome.mode === 'pack') return '';
   const { unstacked = 0 } = outcome;
   return keptCharts(outcome) + (unstacked > 0 ? RUN.unstacked(unstacked) : '');
 }

@@ -1,10 +1,12 @@
 import type { Abflat, FlattenResult, KnownLayout, MeshInput, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
-import type { Outcome } from '../model/model';
-import { SAVING } from '../words/export';
+import type { Flattened, Outcome, Packed, Unwrapped } from '../model/model';
+import { EXPORTED } from '../words/exported';
 import type { ExportFormat } from '../words/generated-formats';
 import { layOut } from './lay-out';
+import { packUvs } from './pack-uvs';
 import { judged, type Runs, type StackHelpers } from './stacks';
+import { staysInPlace } from './stays-in-place';
 
 export interface Written {
   obj?: Uint8Array;
@@ -22,6 +24,7 @@ export async function writeAgain(
   helpers: StackHelpers,
   signal: AbortSignal,
 ): Promise<Written> {
+  if (outcome.mode === 'pack') return packAgain(abflat, input, outcome, format, signal);
   const { result } = outcome;
   // A chart that is not valid cannot be kept in its place; the same once more gives the same.
   const written =
@@ -39,9 +42,39 @@ export async function writeAgain(
           )
         ).result;
   if (!isSame(written.indices, result.indices) || !isSame(written.uv, result.uv))
-    throw new Error(SAVING.cameOutDifferently);
+    throw new Error(EXPORTED.cameOutDifferently);
   const { obj, ply } = written;
   return { obj, ply, isValid: await isValid(written, { abflat, input, helpers, signal }) };
+}
+
+/** Each format rounds in its own way. */
+async function packAgain(
+  abflat: Abflat,
+  input: MeshInput,
+  outcome: Packed,
+  format: ExportFormat,
+  signal: AbortSignal,
+): Promise<Written> {
+  const { result } = await packUvs(
+    abflat,
+    { ...outcome, input },
+    outcome.settings,
+    { signal },
+    format,
+  );
+  const { uv, indices, obj, ply, report } = result;
+  if (!isSame(indices, outcome.result.indices) || !isNear(uv, outcome.result.uv))
+    throw new Error(EXPORTED.cameOutDifferently);
+  return { obj, ply, isValid: report.valid };
+}
+
+/** But for rounding to single precision. */
+function isNear(a: Float64Array, b: Float64Array): boolean {
+  const most = 2 ** -22;
+  return (
+    a.length === b.length &&
+    a.every((x, i) => Math.abs(x - b[i]) <= most * Math.max(1, Math.abs(b[i])))
+  );
 }
 
 async function isValid(written: UnwrapResult | FlattenResult, runs: Runs): Promise<boolean> {
@@ -53,7 +86,7 @@ async function isValid(written: UnwrapResult | FlattenResult, runs: Runs): Promi
 async function keepAll(
   abflat: Abflat,
   input: MeshInput,
-  outcome: Outcome,
+  outcome: Flattened | Unwrapped,
   format: ExportFormat,
   signal: AbortSignal,
 ): Promise<UnwrapResult> {
@@ -71,23 +104,18 @@ async function keepAll(
   });
 }
 
-/** Whether it is an earlier atlas with charts that were left where they are, or moved. */
-export const staysInPlace = ({ mode, result }: Outcome) =>
-  mode === 'unwrap' &&
-  result.report.charts.some(({ solver, fixed }) => fixed && solver === 'known');
-
 const wanted = (format: ExportFormat) =>
   format === 'glb' ? { roundsForGltf: true } : { [format]: true };
 
 /** What charts that stay must fit in. */
-function atlasOf(outcome: Outcome) {
+function atlasOf(outcome: Flattened | Unwrapped) {
   if (outcome.mode === 'flatten') return {};
   const { resolution, padding, udim, texelDensity, stack } = outcome.settings;
   return { resolution, padding, udim, texelDensity, stack };
 }
 
 /** A mesh in one piece is an atlas of one chart. */
-function knownOf({ mode, result }: Outcome): KnownLayout {
+function knownOf({ mode, result }: Flattened | Unwrapped): KnownLayout {
   if (mode === 'unwrap') return result;
   const { uv, indices, vertexMap } = result;
   return {

@@ -1,5 +1,5 @@
 import { Color, DoubleSide, ShaderMaterial, Vector2, Vector4 } from 'three';
-import { CHART_COLORS } from '../colors/chart-colors';
+import { FACE_COLORS } from '../colors/fault-colors';
 import type { Palette } from '../colors/palette';
 import { BEND_GLSL } from './bending';
 import { FLAGS_GLSL, MOTION_GLSL } from './chart-flags';
@@ -56,7 +56,7 @@ const FRAGMENT = /* glsl */ `
 #endif
   ${CHART_GLSL}
   ${LOOK_GLSL}
-  uniform bool showsHeat, showsCharts, showsGrid, showsMaterials, showsImage;
+  uniform bool marksFlipped, showsHeat, showsCharts, showsGrid, showsMaterials, showsImage;
   uniform vec2 uvMiddle;
   uniform float uvUnit;
   uniform float pixelRatio, lit;
@@ -70,7 +70,7 @@ const FRAGMENT = /* glsl */ `
     vec2 dx = dFdx(vTexel), dy = dFdy(vTexel);
 #endif
     if (vFlag.r > 0.5) discard;
-    bool isFlipped = gl_FrontFacing != (vSide > 0.0);
+    bool isFlipped = marksFlipped && gl_FrontFacing != (vSide > 0.0);
     vec3 base = showsCharts ? chartColor(vChart) : fill;
     vec3 lines = showsCharts ? 0.35 * base : edge;
 #ifdef HEAT
@@ -118,6 +118,7 @@ export function createLayoutMaterial(): ShaderMaterial {
     side: DoubleSide,
     transparent: true,
     uniforms: {
+      marksFlipped: { value: true },
       showsHeat: { value: false },
       showsGrid: { value: false },
       showsCharts: { value: false },
@@ -136,7 +137,7 @@ export function createLayoutMaterial(): ShaderMaterial {
       ...lookUniforms(),
       motion: { value: new Vector4(1, 0, 0, 0) },
       bend: { value: new Vector2() },
-      charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
+      charts: { value: Array.from({ length: FACE_COLORS }, () => new Color()) },
     },
   });
 }
@@ -146,6 +147,6 @@ export function paintLayout(material: ShaderMaterial, palette: Palette): void {
   uniforms.fill.value = palette.fill;
   uniforms.edge.value = palette.edge;
   uniforms.flipped.value = palette.flipped;
-  uniforms.charts.value = palette.charts;
+  uniforms.charts.value = palette.faces;
   paintHeat(material, palette);
 }

@@ -108,6 +108,8 @@ export class LayoutView {
     this.surface.showMarks(layout, drawing);
     const { isAtlas } = this.surface;
     uniforms.showsCharts.value = isAtlas;
+    // Islands of a file may be mirrored on purpose; what is marked there has colours of its own.
+    uniforms.marksFlipped.value = !layout.isOfFile;
     uniforms.uvMiddle.value.set(...layout.middle);
     uniforms.uvUnit.value = layout.unit;
     this.surface.edges.boundary.setWidth(isAtlas ? THIN_OUTLINE : OUTLINE);

@@ -1,6 +1,8 @@
 import type { DelaunayReport, VertexBound } from 'abflat';
 import { create, element } from '../base/dom';
+import { FAULTS, type UvFault } from '../colors/fault-colors';
 import { ownBoundsText } from '../words/format';
+import { UV_FAULTS } from '../words/result';
 import { MARKS } from '../words/view';
 
 /** The part of a report that is shown beside the layout. */
@@ -13,6 +15,8 @@ export interface Marked {
   angularDistortion: number | null;
   /** Charts of an atlas that overlap, are flipped or leave their tile. */
   invalidCharts?: number;
+  /** Faces with faults in uv, which have the colours of these. */
+  faults?: Partial<Record<UvFault, number>>;
 }
 
 /** Explains the marks in the views, if there are any, and what the Delaunay condition costs. */
@@ -33,7 +37,11 @@ export function showMarksLegend(marked: Marked | null): void {
 function linesOf(marked: Marked): [string, string][] {
   const { bounds, boundaryCrossings, delaunay } = marked;
   const lines: [string, string][] = [];
-  const { invalidCharts = 0, ownBounds = 0 } = marked;
+  const { invalidCharts = 0, ownBounds = 0, faults = {} } = marked;
+  for (const fault of FAULTS) {
+    const faces = faults[fault] ?? 0;
+    if (faces > 0) lines.push([fault, UV_FAULTS[fault](faces)]);
+  }
   if (invalidCharts > 0) lines.push(['line', MARKS.invalidCharts(invalidCharts)]);
   if (ownBounds > 0) lines.push(['own', ownBoundsText(ownBounds)]);
   if (bounds.length > 0) lines.push(['dot', MARKS.tightened(bounds.length)]);

@@ -1,4 +1,4 @@
-import { CHART_COLORS } from '../colors/chart-colors';
+import { FACE_COLORS } from '../colors/fault-colors';
 import { RAMP_SIZE } from '../colors/palette';
 
 /**
@@ -54,9 +54,9 @@ export const HEAT_GLSL = /* glsl */ `
   }
 `;
 
-/** A chart's colour by its number. */
+/** The colour of a chart, or of a fault, by its number. */
 export const CHART_GLSL = /* glsl */ `
-  uniform vec3 charts[${CHART_COLORS}];
+  uniform vec3 charts[${FACE_COLORS}];
   vec3 chartColor(float number) {
     return charts[int(number + 0.5)];
   }

@@ -1,5 +1,5 @@
 import { Color, DoubleSide, ShaderMaterial, Vector2 } from 'three';
-import { CHART_COLORS } from '../colors/chart-colors';
+import { FACE_COLORS } from '../colors/fault-colors';
 import type { Palette } from '../colors/palette';
 import { FLAGS_GLSL } from './chart-flags';
 import { heatUniforms, paintHeat } from './heat-uniforms';
@@ -178,7 +178,7 @@ export function createSurfaceMaterial(): ShaderMaterial {
       uvCell: { value: 1 },
       flags: { value: null },
       ...lookUniforms(),
-      charts: { value: Array.from({ length: CHART_COLORS }, () => new Color()) },
+      charts: { value: Array.from({ length: FACE_COLORS }, () => new Color()) },
     },
   });
 }
@@ -191,6 +191,6 @@ export function paintSurface(material: ShaderMaterial, palette: Palette): void {
   uniforms.checkB.value = palette.checkB;
   uniforms.back.value = palette.back;
   uniforms.wireColor.value = palette.wire;
-  uniforms.charts.value = palette.charts;
+  uniforms.charts.value = palette.faces;
   paintHeat(material, palette);
 }

@@ -8,7 +8,7 @@ import type { Appearance } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
-import type { Flattened, Outcome, Source, Unwrapped } from '../model/model';
+import type { Flattened, Outcome, Packed, Source, Unwrapped } from '../model/model';
 import type { Bending } from './bending';
 import { type Boundary, boundaryOf, boundMarks, NO_BOUND_MARKS } from './boundary';
 import { type ChartStates, NO_STATES } from './chart-flags';
@@ -29,7 +29,7 @@ export class Views {
   readonly mesh: MeshView;
   private readonly layout: LayoutView;
   private shownSource: Source | null = null;
-  private isDisk = true;
+  private shownKind = kindOf(null);
   private states = NO_STATES;
   /** Of the mesh that was opened last; null if it is not known. */
   private look: { source: Source; appearance: Appearance } | null = null;
@@ -277,15 +277,13 @@ export class Views {
     const isNew = outcome.source !== this.shownSource;
     this.shownSource = outcome.source;
     if (isNew && this.look) this.layout.setAppearance(this.lookOf(outcome.source));
-    const isDisk = outcome.mode === 'flatten';
-    if (isDisk !== this.isDisk) this.layout.plane.fit();
-    this.isDisk = isDisk;
-    this.layout.setTexels(
-      outcome.mode === 'unwrap' ? outcome.result.report.atlas.resolution : null,
-    );
-    const marked = outcome.mode === 'flatten' ? markedInDisk(outcome) : markedIn(outcome);
+    const kind = kindOf(outcome);
+    if (kind !== this.shownKind) this.layout.plane.fit();
+    this.shownKind = kind;
+    this.layout.setTexels(texelsOf(outcome));
+    const marked = markedIn(outcome);
     this.showFlat(drawing, marked, isNew);
-    if (isDisk) this.showBoundary(boundaryOf(drawing));
+    if (outcome.mode === 'flatten') this.showBoundary(boundaryOf(drawing));
   }
 
   /** Shows another layout of the current mesh; `marked` is null if nothing is marked. */
@@ -300,17 +298,42 @@ export class Views {
   }
 }
 
+const NOTHING_MARKED: Marked = {
+  bounds: [],
+  boundaryCrossings: 0,
+  delaunay: null,
+  angularDistortion: null,
+};
+
 const markedInDisk = (outcome: Flattened): Marked => ({
   ...foundChart(outcome),
   ownBounds: outcome.settings.bounds?.length,
 });
 
+/** The part of the plane that is shown differs between a disk, an atlas and the UVs of a file. */
+function kindOf(outcome: Outcome | null): 'disk' | 'atlas' | 'file' {
+  if (!outcome || outcome.mode === 'flatten') return 'disk';
+  return outcome.mode === 'pack' && outcome.settings.keepPlaces ? 'file' : 'atlas';
+}
+
+/** Along a side of a tile; null: there are no tiles. */
+function texelsOf({ mode, result }: Outcome): number | null {
+  if (mode === 'flatten') return null;
+  return mode === 'pack' ? result.report.resolution : result.report.atlas.resolution;
+}
+
+function markedIn(outcome: Outcome): Marked | null {
+  if (outcome.mode === 'pack') return markedInFile(outcome);
+  return outcome.mode === 'flatten' ? markedInDisk(outcome) : markedInAtlas(outcome);
+}
+
+/** Packed islands lie on each other, and are mirrored, as before. */
+const markedInFile = ({ settings, result: { report } }: Packed): Marked | null =>
+  settings.keepPlaces ? { ...NOTHING_MARKED, faults: report.faces } : null;
+
 /** What is marked in an atlas; nothing if it is valid. */
-function markedIn({ result: { report } }: Unwrapped): Marked | null {
+function markedInAtlas({ result: { report } }: Unwrapped): Marked | null {
   if (report.valid) return null;
   const invalidCharts = report.charts.filter(({ valid }) => !valid).length;
-  return {
-    ...{ bounds: [], boundaryCrossings: 0, delaunay: null, angularDistortion: null },
-    invalidCharts,
-  };
+  return { ...NOTHING_MARKED, invalidCharts };
 }

@@ -1,7 +1,7 @@
 import type { MeshSummary } from 'abflat';
 import { forget, remember, remembered } from '../base/remember';
 import { Stored } from '../base/stored';
-import type { Opened, Outcome, Source } from '../model/model';
+import { hasUvs, type Opened, type Outcome, type Source } from '../model/model';
 import type { Marks, Settings } from '../model/settings';
 import { FIRST_SAMPLE } from '../opening/open-mesh';
 import { titleOf } from '../session/titles';
@@ -46,7 +46,7 @@ export class LastVisit {
   private found: Visit | null = null;
   private readonly remarks: string[] = [];
   private said = '';
-  private summary: MeshSummary | null = null;
+  private mesh: { summary: MeshSummary; hasUvs: boolean } | null = null;
   /** The mesh that was written last, and its name among those of other pages. */
   private source: Source | null = null;
   private id = '';
@@ -62,7 +62,7 @@ export class LastVisit {
   constructor(followed: (settings: Settings) => void) {
     this.link = new SettingsLink(() => {
       const { linked } = this.link;
-      if (linked && this.summary) followed(fitting(linked, this.summary));
+      if (linked && this.mesh) followed(fitting(linked, this.mesh.summary, this.mesh.hasUvs));
     });
     window.addEventListener('pagehide', () => {
       this.giveUp();
@@ -95,10 +95,11 @@ export class LastVisit {
   }
 
   /** What to ask for, now that a mesh was opened or is shown again; null: what the page does by itself. */
-  opened({ source, summary }: Opened, isShownAgain: boolean): Settings | null {
+  opened(opened: Opened, isShownAgain: boolean): Settings | null {
+    const { source, summary } = opened;
     const { link, found } = this;
-    this.isKept ||= this.summary !== null;
-    this.summary = summary;
+    this.isKept ||= this.mesh !== null;
+    this.mesh = { summary, hasUvs: hasUvs(opened) };
     const { linked } = link;
     this.said = '';
     if (found?.source !== source) this.giveUp();
@@ -110,7 +111,7 @@ export class LastVisit {
       }
     }
     if (isShownAgain) link.linked = null;
-    return isShownAgain ? null : linked && fitting(linked, summary);
+    return isShownAgain ? null : linked && fitting(linked, summary, this.mesh.hasUvs);
   }
 
   /** The user asks for something else. */

@@ -2,7 +2,7 @@ import type { MeshSummary } from 'abflat';
 import type { Settings } from '../model/settings';
 import { choiceOf, offeredBy, seamWords } from '../seams/seam-choice';
 import { VISIT } from '../words/opening';
-import { settingsOf, textOf } from './settings-text';
+import { settingsOf, textOf, usualSettings } from './settings-text';
 
 /** Of one word that means nothing. */
 const MOST_LETTERS = 40;
@@ -46,8 +46,13 @@ export class SettingsLink {
 }
 
 /** Without seams and UVs that the mesh does not have. */
-export function fitting(settings: Settings, summary: MeshSummary): Settings {
+export function fitting(
+  settings: Settings,
+  summary: MeshSummary,
+  hasUvs = summary.texcoords > 0,
+): Settings {
   if (settings.mode === 'flatten') return settings;
+  if (settings.mode === 'pack') return hasUvs ? settings : usualSettings('unwrap');
   const { fixedFaces, ...others } = settings;
   const { sources } = choiceOf(settings);
   const offered = offeredBy(summary);

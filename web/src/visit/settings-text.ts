@@ -1,13 +1,26 @@
 // Settings as text, in the words of the command line: "unwrap&max-stretch=1.05&seams=auto,sharp=60". Only what
 // differs from the defaults is named.
 
-import { FLATTEN_DEFAULTS, FLATTEN_OPTIONS, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
+import {
+  FLATTEN_DEFAULTS,
+  FLATTEN_OPTIONS,
+  PACK_DEFAULTS,
+  PACK_OPTIONS,
+  UNWRAP_DEFAULTS,
+  UNWRAP_OPTIONS,
+} from 'abflat';
 import { STRETCHES } from '../controls/atlas-control';
 import { BALANCE_STEP } from '../controls/balance-control';
 import { BOUND_RULE } from '../controls/bound-control';
 import { fits, type NumberRule } from '../controls/number-field';
 import { defaultOptions, MORE } from '../model/more-options';
-import { type Mode, RESOLUTIONS, type Settings } from '../model/settings';
+import {
+  type Mode,
+  packSettings,
+  RESOLUTIONS,
+  type Settings,
+  usualPackChoices,
+} from '../model/settings';
 import { choiceOf, seamWords } from '../seams/seam-choice';
 
 type Values = Record<string, unknown>;
@@ -18,12 +31,16 @@ interface Rule extends NumberRule {
 const RULES: Record<Mode, Readonly<Record<string, Rule>>> = {
   flatten: FLATTEN_OPTIONS,
   unwrap: UNWRAP_OPTIONS,
+  pack: PACK_OPTIONS,
 };
+
+const MODES: readonly Mode[] = ['flatten', 'unwrap', 'pack'];
 
 /** The options that the page has of each kind of layout, in the order of the text. */
 const NAMES: Record<Mode, readonly string[]> = {
   flatten: ['t', 'balance', 'delaunay'],
   unwrap: ['maxStretch', 'balance', 'resolution', 'padding', ...MORE],
+  pack: ['keepPlaces', 'resolution', 'padding', 'margin', 'rotate', 'islandSizes'],
 };
 
 /** What the controls of the page can show is less than abflat takes. */
@@ -40,6 +57,7 @@ export function usualSettings(mode: Mode): Settings {
     const { t, balance, delaunay } = FLATTEN_DEFAULTS;
     return { mode, t, balance, delaunay };
   }
+  if (mode === 'pack') return packSettings(false, PACK_DEFAULTS.resolution, usualPackChoices());
   const { maxStretch, balance, resolution, padding } = UNWRAP_DEFAULTS;
   return { mode, maxStretch, balance, resolution, padding, ...defaultOptions(), seams: 'auto' };
 }
@@ -58,13 +76,14 @@ export function textOf(settings: Settings): string {
   const values: Values = { ...settings };
   const usual: Values = { ...usualSettings(mode) };
   const words = NAMES[mode]
-    .filter((name) => values[name] !== usual[name])
+    // How islands are packed is not there while they stay where they are.
+    .filter((name) => name in values && values[name] !== usual[name])
     .map((name) => wordOf(name, values[name]));
   if (mode === 'unwrap') {
     if (settings.seams !== 'auto' && !settings.seamEdges) words.push(`seams=${settings.seams}`);
     if (settings.fixedFaces) words.push('keep=uv');
   }
-  return words.length > 0 || mode === 'flatten' ? [mode, ...words].join('&') : '';
+  return words.length > 0 || mode !== 'unwrap' ? [mode, ...words].join('&') : '';
 }
 
 export interface SettingsRead {
@@ -76,7 +95,7 @@ export interface SettingsRead {
 /** Any text is settings: what is not there has its default. */
 export function settingsOf(text: string): SettingsRead {
   const words = text.split('&').filter(Boolean).map(decoded);
-  const mode: Mode = words.includes('flatten') ? 'flatten' : 'unwrap';
+  const mode = MODES.find((mode) => words.includes(mode)) ?? 'unwrap';
   const values: Values = {};
   const ignored: string[] = [];
   for (const word of words) {
@@ -84,7 +103,14 @@ export function settingsOf(text: string): SettingsRead {
     if (read) Object.assign(values, read);
     else ignored.push(word);
   }
-  return { settings: { ...usualSettings(mode), ...values } as Settings, ignored };
+  return { settings: withoutIdle({ ...usualSettings(mode), ...values } as Settings), ignored };
+}
+
+/** Without what does not matter while the UVs of the file stay as they are. */
+function withoutIdle(settings: Settings): Settings {
+  if (settings.mode !== 'pack') return settings;
+  const { mode, keepPlaces, resolution, ...choices } = settings;
+  return packSettings(keepPlaces, resolution, { ...usualPackChoices(), ...choices });
 }
 
 /** The option that a word sets; null if there is none, or not with this value. */

@@ -3,7 +3,7 @@
 import type { UnwrapResult, VertexBound } from 'abflat';
 import type { FileSource, Outcome, Source } from '../model/model';
 import type { KnownAtlas, Marks, Settings } from '../model/settings';
-import { staysInPlace } from '../session/write-again';
+import { staysInPlace } from '../session/stays-in-place';
 import { settingsOf, textOf } from './settings-text';
 
 export type KeptMesh =
@@ -48,6 +48,7 @@ export function askedOf(outcome: Outcome, { kept, pins }: Marks): Asked {
     const { bounds } = outcome.settings;
     return bounds ? { ...asked, bounds } : asked;
   }
+  if (outcome.mode === 'pack') return asked;
   const { result, settings } = outcome;
   if (pins) asked.pins = pins;
   if (settings.faceDensities) asked.densities = settings.faceDensities;
@@ -88,6 +89,7 @@ export function settingsAskedFor(asked: Asked): Settings {
   const { text, edited, bounds, atlas, locked, pins, densities } = asked;
   const { settings } = settingsOf(text);
   if (settings.mode === 'flatten') return bounds ? { ...settings, bounds } : settings;
+  if (settings.mode === 'pack') return settings;
   const kept = atlas && locked && { kept: { layout: atlas, charts: locked } };
   const placed = atlas && { placed: atlas };
   const byHand = { ...(pins && { pins }), ...(densities && { faceDensities: densities }) };

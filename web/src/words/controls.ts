@@ -2,7 +2,11 @@
 
 import { type Bound, bound, count, counted } from './format';
 
-export const MODE_HINTS = { flatten: 'one chart', unwrap: 'charts in one texture' };
+export const MODE_HINTS = {
+  flatten: 'one chart',
+  unwrap: 'charts in one texture',
+  pack: 'as they are, or repacked',
+};
 
 /** What a mesh lacks that cannot be flattened, by abflat's status. */
 export const DISK_NEEDS = {

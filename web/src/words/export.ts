@@ -2,23 +2,14 @@
 
 import { count, ended } from './format';
 
-/** `format` in capitals; `set`: a texcoord set of a glTF, by the name that its choice gives it. */
+/** `format` in capitals. */
 export const EXPORT = {
   export: (format: string) => `Export ${format}`,
+  baked: (format: string) => `baked ${format}`,
   exportLast: 'Export last layout',
   previous: (settings: string) => `Exports the layout still on screen: ${settings}`,
-  writing: (format: string) => `Writing ${format}`,
-  exported: (name: string, size: string) => `Exported ${name}, ${size}`,
-  shapeOnly: ', shape and UVs only',
-  uncompressed: ', uncompressed',
   notExported: 'Not exported',
   cancelled: 'Export cancelled',
-  rounded:
-    'GLB stores single precision, and rounding makes some triangles flip or overlap. OBJ keeps all digits',
-  replaced: (set: number) => `New UVs replaced UV\u00a0${set}`,
-  replacedPainted: (set: number) => `New UVs replaced UV\u00a0${set}, which textures use`,
-  added: (set: number) => `New UVs are UV\u00a0${set}`,
-  addedToPainted: (set: number) => `New UVs are UV\u00a0${set}; textures keep theirs`,
 };
 
 /** Files that were saved. */
@@ -32,7 +23,6 @@ export const SAVED = {
 export const SAVING = {
   notDrawn: 'Nothing is drawn, so there is no picture',
   failed: (title: string, message: string) => `${title} was not saved: ${ended(message)}`,
-  cameOutDifferently: 'This run gave a different layout. Unwrap again, then export.',
 };
 
 /** Pictures of an atlas. */
@@ -41,9 +31,4 @@ export const ATLAS_PICTURE = {
     `a picture can have at most ${most} pixels per side. Lower the resolution, or save SVG`,
   noMemory:
     'the browser does not have enough memory for a picture this large. Lower the resolution, or save SVG',
-};
-
-export const VIEWS_PICTURE = {
-  notMade: 'The browser could not make the picture. Make the window smaller.',
-  noMemory: 'The browser ran out of memory for the picture. Close other tabs.',
 };

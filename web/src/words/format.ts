@@ -41,6 +41,9 @@ export function sentence(text: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
+/** To go on with within a sentence. */
+export const continued = (text: string) => text.charAt(0).toLowerCase() + text.slice(1);
+
 /** With a full stop, unless it ends like a sentence. */
 export function ended(text: string): string {
   return /[.!?\u2026]$/.test(text) ? text : `${text}.`;

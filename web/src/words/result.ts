@@ -7,6 +7,7 @@ export const BADGES = {
   uneven: 'Uneven',
   stretched: 'Stretched',
   notValid: 'Not valid',
+  asInFile: 'As in file',
   none: 'No result',
 } as const;
 
@@ -36,6 +37,35 @@ export const VERDICT = {
       : `${count(charts)} charts are not valid. In the first, ${problem}`,
 };
 
+/** The UVs of a file. */
+export const ISLANDS = {
+  noFaults: 'No flipped faces, no overlaps',
+  packed: (stacked: number, mirrored: number) => {
+    const overlaps =
+      stacked > 0 ? `${counted(stacked, 'island')} stacked, no other overlaps` : 'No overlaps';
+    return mirrored > 0 ? `${overlaps}, ${count(mirrored)} mirrored` : overlaps;
+  },
+  summary: (islands: number, stacked: number, mirrored: number, separated: number) =>
+    [
+      counted(islands, 'UV island'),
+      ...(stacked > 0 ? [`${count(stacked)} on others`] : []),
+      ...(mirrored > 0 ? [`${count(mirrored)} mirrored`] : []),
+      ...(separated > 0 ? [`${count(separated)} overlapping others slightly`] : []),
+    ].join(', '),
+  unmapped: (faces: number) =>
+    `${counted(faces, 'face has', 'faces have')} no UVs and ${faces === 1 ? 'is' : 'are'} not drawn in the layout`,
+  info: (islands: number, tiles: number) =>
+    counted(islands, 'island') + (tiles > 1 ? `, ${counted(tiles, 'tile')}` : ''),
+};
+
+/** How many faces have a fault in uv. */
+export const UV_FAULTS = {
+  overlapping: (n: number) => counted(n, 'face overlaps', 'faces overlap'),
+  outside: (n: number) => `${counted(n, 'face')} outside the square`,
+  empty: (n: number) => `${counted(n, 'face')} without area`,
+  flipped: (n: number) => `${counted(n, 'face')} flipped`,
+};
+
 /** What is wrong with a chart, in the words of abflat. */
 export const DEFECTS = { both: (one: string, other: string) => `${one}, and ${other}` };
 
@@ -49,6 +79,7 @@ export const REMEDIES = {
     label: 'Repack',
     title: 'Pack the same charts again, all at the same texel density',
   },
+  islands: { label: 'Repack', title: 'Pack the UV islands again; they keep their shapes' },
   unwrap: { label: 'Unwrap', title: 'Cut the mesh into charts that stretch less' },
 };
 
@@ -99,6 +130,22 @@ export const ATLAS_METRICS = {
   texelDensity: {
     label: 'Texel density',
     title: 'Texels per mesh unit at this resolution, on average over the surface',
+  },
+};
+
+/** The numbers of the UVs of a file. */
+export const ISLAND_METRICS = {
+  islands: {
+    label: 'Islands',
+    title: 'Sets of faces joined where they have an edge, with the same UVs on both sides',
+  },
+  overlapping: { label: 'Overlapping', title: 'Faces that overlap another one, or themselves' },
+  outside: { label: 'Outside', title: 'Faces that are not within one tile' },
+  flipped: { label: 'Flipped', title: 'Faces that run clockwise, be it with their whole island' },
+  empty: { label: 'Empty', title: 'Faces without area in UV' },
+  utilization: {
+    label: 'Utilisation',
+    title: 'Share of the square, or of all tiles around the layout, that the islands cover',
   },
 };
 

@@ -6,7 +6,11 @@ import { type Bound, bound, count, counted, ended } from './format';
 export const LAYING_OUT = {
   flatten: { doing: 'Flattening', done: 'Flattened', verb: 'Flatten' },
   unwrap: { doing: 'Unwrapping', done: 'Unwrapped', verb: 'Unwrap' },
+  pack: { doing: 'Repacking', done: 'Repacked', verb: 'Repack' },
 };
+
+/** The same for the UVs of a file as they are. */
+export const LOOKING_AT_UVS = { doing: 'Checking', done: 'Checked', verb: 'File UVs' };
 
 /** The settings of a layout, which are listed in one line. */
 export const SETTINGS = {
@@ -16,6 +20,10 @@ export const SETTINGS = {
   size: (pixels: number, padding: number) => `${pixels}\u202fpx, padding ${padding}`,
   balance: (balance: number) => `balance ${balance}`,
   delaunay: 'Delaunay',
+  uvsOfFile: 'UVs as in the file',
+  margin: (margin: number | 'auto') => `margin ${margin}`,
+  rotation: (rotation: string) => `rotation ${rotation}`,
+  sizes: (sizes: string) => `sizes ${sizes}`,
   ownBounds: (vertices: number) => `own bounds of ${counted(vertices, 'vertex', 'vertices')}`,
   t: (t: Bound) => `t = ${bound(t)}`,
 };
@@ -43,6 +51,8 @@ export const SOLVER_PROGRESS = {
 export const RUN = {
   reading: (title: string) => `Reading ${title}`,
   layingOut: (doing: string, settings: string) => `${doing} with ${settings}`,
+  /** `found`: what there is to say of them. */
+  uvsOfFile: (time: string, found: string) => `UVs of the file checked in ${time}: ${found}`,
   checked: (change: string, time: string) => `${change}, checked in ${time}`,
   laidOut: (done: string, time: string) => `${done} in ${time}`,
   but: (badge: string) => `, ${badge.toLowerCase()}`,
@@ -106,6 +116,10 @@ export const CHANGES = {
   noSeamEdges: 'Seams as chosen',
   keepUvs: 'Keep UVs of the file',
   keepNoUvs: 'Keep UVs of the file off',
+  fileUvs: 'UVs as in the file',
+  packIslands: 'Repack',
+  margin: (texels: number | 'auto') => `Margin ${texels}`,
+  sizes: (sizes: string) => `Sizes ${sizes}`,
   packedAgain: 'Repacked',
   switched: (label: string, isOn: boolean) => (isOn ? label : `${label} off`),
   set: (label: string, value: unknown) => `${label} ${value}`,

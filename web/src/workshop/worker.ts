@@ -21,6 +21,7 @@ import {
   positionsOf,
 } from '../drawing/picture';
 import type { LookSource } from '../files/appearance';
+import type { BakedGltf } from '../files/baked-gltf';
 import { hasLook } from '../files/has-look';
 import type { NamedMesh } from '../files/joined-obj';
 import type { LookMesh } from '../files/stored-look';
@@ -32,12 +33,14 @@ import type { FaceDensities } from '../model/face-densities';
 import type { ChosenGltf, GltfFiles, LayoutArrays } from '../model/model';
 import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
+import type { bake } from './baking';
 
 // All but drawing is not part of the first load. What is loaded keeps the order of requests.
 const gltfFile = startOnce(() => loadInWorker(import('../files/gltf-file')));
 const newGlbFile = startOnce(() => loadInWorker(import('../files/new-glb')));
 const appearanceFile = startOnce(() => loadInWorker(import('../files/appearance')));
 const arranging = startOnce(() => loadInWorker(import('./arranging')));
+const baking = startOnce(() => loadInWorker(import('./baking')));
 const writing = startOnce(() => loadInWorker(import('./writing')));
 const surfaces = startOnce(() => loadInWorker(import('../surface/make-surface')));
 
@@ -152,6 +155,9 @@ const tasks = {
 
   glb: async (files: GltfFiles, layout: LayoutArrays, texcoord: number): Promise<Blob> =>
     (await gltfFile()).writeGltf(files, layout, texcoord),
+
+  baked: async (...work: Parameters<typeof bake>): Promise<BakedGltf> =>
+    (await baking()).bake(...work),
 
   newGlb: async (
     name: string,

@@ -1,9 +1,9 @@
-import { type Remote, transfer, wrap } from 'comlink';
+import { type Remote, transfer } from 'comlink';
 import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf, copied } from '../base/buffers';
-import { NOT_LOADED, notLoaded, stopped } from '../base/lost';
+import type { AtlasArrays, AtlasSize } from '../drawing/picture';
 import type { NamedMesh } from '../files/joined-obj';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
@@ -11,7 +11,6 @@ import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { FaceDensities } from '../model/face-densities';
 import type {
-  ChosenGltf,
   FileSource,
   GltfFile,
   Helpers,
@@ -22,8 +21,8 @@ import type {
 } from '../model/model';
 import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
-import { LOST } from '../words/base';
 import { KeptColors } from './kept-colors';
+import { explained, inOwnWorker, type Running, startWorker } from './start-worker';
 import type { Tasks } from './worker';
 
 /** What can be done to some charts at once: an upright box, one on the other, as many texels as the rest. */
@@ -37,13 +36,6 @@ export type Arranged =
   | Motions
   | { how: Arrangement; charts: Uint32Array; fixed: Uint32Array }
   | { density: number; charts: Uint32Array };
-
-interface Running {
-  tasks: Remote<Tasks>;
-  /** Rejects if the worker cannot be loaded or stops. */
-  lost: Promise<never>;
-  end: () => void;
-}
 
 /**
  * A worker for everything slow with large meshes, so that the page stays responsive. It is started
@@ -78,18 +70,32 @@ export class Workshop implements Helpers {
   outcome(outcome: Outcome): Promise<FlatDrawing> {
     const { result, mode, mesh } = outcome;
     if (mode === 'flatten') return this.layout(result, mesh, result.report.charts[0]);
-    const { uv, indices, vertexMap, positions, chartOfTriangle, report } = result;
-    const chartCount = report.charts.length;
-    const colors = this.colors.of(chartOfTriangle, chartCount);
+    const { uv, indices, vertexMap, positions } = result;
+    const arrays = { uv, indices, vertexMap, positions };
+    if (mode === 'pack') {
+      const { islandOfTriangle: chartOfTriangle, faults, report } = result;
+      const marked = outcome.settings.keepPlaces ? { faults } : {};
+      const size = { tiles: report.tiles, chartCount: report.islands, isOfFile: true };
+      return this.atlas({ ...arrays, chartOfTriangle, ...marked }, size, mesh);
+    }
+    const { chartOfTriangle, report } = result;
     const asked = outcome.settings.faceDensities;
-    const size = { tiles: report.atlas.tiles, chartCount, colors, asked };
-    return this.send(
-      [{ uv, indices, vertexMap, positions, chartOfTriangle }, trianglesOf(mesh)],
-      (tasks, atlas, input) => tasks.atlas(atlas, size, input),
-    ).then((drawing) => {
-      this.colors.keep(chartOfTriangle, drawing.chartColors);
-      return drawing;
-    });
+    const size = { tiles: report.atlas.tiles, chartCount: report.charts.length, asked };
+    return this.atlas({ ...arrays, chartOfTriangle }, size, mesh);
+  }
+
+  private async atlas(
+    atlas: AtlasArrays,
+    size: Omit<AtlasSize, 'colors'>,
+    mesh: DisplayMesh,
+  ): Promise<FlatDrawing> {
+    const { chartOfTriangle } = atlas;
+    const colors = this.colors.of(chartOfTriangle, size.chartCount);
+    const drawing = await this.send([atlas, trianglesOf(mesh)], (tasks, own, input) =>
+      tasks.atlas(own, { ...size, colors }, input),
+    );
+    this.colors.keep(chartOfTriangle, drawing.chartColors);
+    return drawing;
   }
 
   layout(
@@ -179,7 +185,7 @@ export class Workshop implements Helpers {
     return this.send([drawing], (tasks, own) => tasks.png(own));
   }
 
-  heatMap(drawing: AtlasDrawing, { result, mesh }: Unwrapped): Promise<Blob> {
+  heatMap(drawing: AtlasDrawing, { result, mesh }: Outcome): Promise<Blob> {
     const { positions, vertexMap } = result;
     return this.send(
       [drawing, { positions, vertexMap }, { positions: mesh.positions }],
@@ -194,7 +200,7 @@ export class Workshop implements Helpers {
   async gltf({ file, others, texcoord = 0 }: FileSource, signal: AbortSignal): Promise<GltfFile> {
     const chosen = { file, others, texcoord };
     const read = await this.send([], (tasks) => tasks.gltf(chosen));
-    return read ?? compressed(chosen, signal);
+    return read ?? inOwnWorker('decoder', (tasks) => tasks.compressed(chosen), signal);
   }
 
   /**
@@ -257,45 +263,6 @@ export class Workshop implements Helpers {
       return Promise.race([post(tasks, ...given).catch(explained), lost]);
     });
   }
-}
-
-function startWorker(name: string, onLost: () => void): Running {
-  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name });
-  const lost = new Promise<never>((_, reject) => {
-    worker.onerror = (event) => {
-      event.preventDefault();
-      worker.terminate();
-      onLost();
-      // A script that cannot be loaded has no message.
-      reject(event.message ? stopped(event.message) : notLoaded(LOST.noWorker));
-    };
-  });
-  lost.catch(() => undefined); // callers that wait for the worker get this error
-  return { tasks: wrap<Tasks>(worker), lost, end: () => worker.terminate() };
-}
-
-/**
- * In a separate worker: the decoder's memory is freed with it, and data that would keep it busy
- * forever can be cancelled.
- */
-async function compressed(chosen: ChosenGltf, signal: AbortSignal): Promise<GltfFile> {
-  signal.throwIfAborted();
-  const { tasks, lost, end } = startWorker('decoder', () => undefined);
-  const aborted = new Promise<never>((_, reject) => {
-    signal.addEventListener('abort', () => reject(signal.reason));
-  });
-  try {
-    return await Promise.race([tasks.compressed(chosen), lost, aborted]);
-  } catch (error) {
-    return explained(error as Error);
-  } finally {
-    end();
-  }
-}
-
-/** The class of an error does not survive the message. */
-function explained(error: Error): never {
-  throw error.name === NOT_LOADED ? notLoaded(error.message) : error;
 }
 
 const chartArraysOf = ({ uv, indices, chartOfTriangle }: ChartArrays): ChartArrays => ({

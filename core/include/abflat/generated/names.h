@@ -62,6 +62,28 @@ inline const char* nameOf(ChartShape code) {
   return "";
 }
 
+/// What is wrong with a face in uv.
+enum class UvFault : std::uint8_t {
+  Overlapping = 1,  ///< it overlaps another face, or itself
+  Flipped = 2,  ///< it runs clockwise
+  Empty = 4,  ///< it has no area
+  Outside = 8,  ///< it is not within one tile
+};
+
+inline const char* nameOf(UvFault code) {
+  switch (code) {
+    case UvFault::Overlapping:
+      return "overlapping";
+    case UvFault::Flipped:
+      return "flipped";
+    case UvFault::Empty:
+      return "empty";
+    case UvFault::Outside:
+      return "outside";
+  }
+  return "";
+}
+
 /// A stage of a run.
 enum class Stage : std::uint8_t {
   Read = 0,  ///< reading the input

@@ -33,6 +33,8 @@ struct PackOptionValues {
   int resolution = 1024;
   /// free texels between islands
   int padding = 2;
+  /// free texels between islands and the edge of their tile (auto = half the padding, rounded up)
+  int margin = -1;
   /// texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)
   double texelDensity = 0;
   /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
@@ -41,6 +43,8 @@ struct PackOptionValues {
   Rotate rotate = Rotate::Auto;
   /// how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale
   IslandSizes islandSizes = IslandSizes::Keep;
+  /// islands stay where they are, and the layout is only judged; of the other options only resolution and udim count then
+  bool keepPlaces = false;
   /// maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one
   int threads = 0;
 };
@@ -49,13 +53,15 @@ inline OptionInfos optionInfos(const PackOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
     {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between islands", false, false},
+    {"margin", "--margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between islands and the edge of their tile (auto = half the padding, rounded up)", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"islandSizes", "--island-sizes", "keep", "keep, even", "how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale", false, true},
+    {"keepPlaces", "--keep-places", "false", "", "islands stay where they are, and the layout is only judged; of the other options only resolution and udim count then", true, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 7};
+  return {kInfos, 9};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -72,22 +78,30 @@ inline bool setOption(PackOptionValues& options, int index, double value,
       options.padding = static_cast<int>(value);
       return true;
     case 2:
+      if (!(((value >= 0 && value <= 256) || (isWord && value == -1)) && value == std::trunc(value))) return false;
+      options.margin = static_cast<int>(value);
+      return true;
+    case 3:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.texelDensity = static_cast<double>(value);
       return true;
-    case 3:
+    case 4:
       if (!(value == 0 || value == 1)) return false;
       options.udim = value != 0;
       return true;
-    case 4:
+    case 5:
       if (!(value >= 0 && value < 4 && value == std::trunc(value))) return false;
       options.rotate = static_cast<Rotate>(static_cast<int>(value));
       return true;
-    case 5:
+    case 6:
       if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
       options.islandSizes = static_cast<IslandSizes>(static_cast<int>(value));
       return true;
-    case 6:
+    case 7:
+      if (!(value == 0 || value == 1)) return false;
+      options.keepPlaces = value != 0;
+      return true;
+    case 8:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -97,13 +111,14 @@ inline bool setOption(PackOptionValues& options, int index, double value,
 
 /// The number that stands for a word ("auto") or a choice of an option.
 inline double wordValue(const PackOptionValues&, int index, std::string_view text, bool& found) {
-  if (index == 2 && text == "auto") return found = true, 0;
-  if (index == 4 && text == "auto") return found = true, 0;
-  if (index == 4 && text == "free") return found = true, 1;
-  if (index == 4 && text == "quarter") return found = true, 2;
-  if (index == 4 && text == "none") return found = true, 3;
-  if (index == 5 && text == "keep") return found = true, 0;
-  if (index == 5 && text == "even") return found = true, 1;
+  if (index == 2 && text == "auto") return found = true, -1;
+  if (index == 3 && text == "auto") return found = true, 0;
+  if (index == 5 && text == "auto") return found = true, 0;
+  if (index == 5 && text == "free") return found = true, 1;
+  if (index == 5 && text == "quarter") return found = true, 2;
+  if (index == 5 && text == "none") return found = true, 3;
+  if (index == 6 && text == "keep") return found = true, 0;
+  if (index == 6 && text == "even") return found = true, 1;
   return found = false, 0;
 }
 
@@ -119,6 +134,10 @@ template <class Visit>
 void forEachOption(const PackOptionValues& options, Visit&& visit) {
   visit("resolution", options.resolution);
   visit("padding", options.padding);
+  if (options.margin == -1)
+    visit("margin", "auto");
+  else
+    visit("margin", options.margin);
   if (options.texelDensity == 0)
     visit("texelDensity", "auto");
   else
@@ -126,6 +145,7 @@ void forEachOption(const PackOptionValues& options, Visit&& visit) {
   visit("udim", options.udim);
   visit("rotate", nameOf(options.rotate));
   visit("islandSizes", nameOf(options.islandSizes));
+  visit("keepPlaces", options.keepPlaces);
   visit("threads", options.threads);
 }
 

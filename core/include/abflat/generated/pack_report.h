@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "abflat/generated/baking_report.h"
 #include "abflat/generated/mesh_summary.h"
 #include "abflat/generated/pack_options.h"
 #include "abflat/status.h"
@@ -60,6 +62,18 @@ struct PackReport {
   std::size_t separated = 0;
   /// Faces without texcoords at every corner, which stay as they are.
   std::size_t unmapped = 0;
+  /// Faces of islands as they lie now, decided exactly; one may be counted for several reasons: how
+  /// many overlap another, or themselves.
+  std::size_t facesOverlapping = 0;
+  /// Faces of islands as they lie now, decided exactly; one may be counted for several reasons: how
+  /// many run clockwise, be it with their whole island.
+  std::size_t facesFlipped = 0;
+  /// Faces of islands as they lie now, decided exactly; one may be counted for several reasons: how
+  /// many have no area in uv.
+  std::size_t facesEmpty = 0;
+  /// Faces of islands as they lie now, decided exactly; one may be counted for several reasons: how
+  /// many are not within one tile.
+  std::size_t facesOutside = 0;
   /// Length in uv divided by what it was before; the mean by area, where islands differ.
   double scale = 0;
   /// Share of their tiles that islands covered in the input, or of all tiles around the layout if
@@ -71,6 +85,8 @@ struct PackReport {
   int resolution = 0;
   /// Texels between islands.
   int padding = 0;
+  /// Texels between islands and the edge of their tile.
+  int margin = 0;
   /// Unit squares, ten in a row: UDIM 1001 and on.
   int tiles = 1;
   /// Texels per mesh unit, the mean by area; 0 if the faces have no area.
@@ -82,6 +98,8 @@ struct PackReport {
   bool valid = false;
   /// Seconds that each stage took.
   PackTimings timings;
+  /// What became of the old textures.
+  std::optional<BakingReport> baking;
   /// Why there is no result.
   Status error;
 };
@@ -99,16 +117,24 @@ void visitFields(const PackReport& r, Visitor& v) {
   v.field("mirrored", r.mirrored);
   v.field("separated", r.separated);
   v.field("unmapped", r.unmapped);
+  v.begin("faces");
+  v.field("overlapping", r.facesOverlapping);
+  v.field("flipped", r.facesFlipped);
+  v.field("empty", r.facesEmpty);
+  v.field("outside", r.facesOutside);
+  v.end();
   v.field("scale", r.scale);
   v.field("utilizationBefore", r.utilizationBefore);
   v.field("utilization", r.utilization);
   v.field("resolution", r.resolution);
   v.field("padding", r.padding);
+  v.field("margin", r.margin);
   v.field("tiles", r.tiles);
   v.field("texelDensity", r.texelDensity);
   v.field("notes", r.notes);
   v.field("valid", r.valid);
   v.field("timings", r.timings);
+  if (r.baking) v.field("baking", *r.baking);
   v.reportError("error", r.error);
 }
 

@@ -161,6 +161,8 @@ inline const char* nameOf(Stack code) {
 
 /// "auto" as a value of the option maxSheared.
 constexpr double kAutoMaxSheared = -1;
+/// "auto" as a value of the option margin.
+constexpr int kAutoMargin = -1;
 /// "auto" as a value of the option texelDensity.
 constexpr double kAutoTexelDensity = 0;
 /// "auto" as a value of the option minUtilization.
@@ -172,6 +174,8 @@ struct UnwrapOptionValues {
   double maxStretch = 1.02;
   /// largest share of a chart's surface that may be sheared, that is, have a quasi-conformal distortion above 1.25, as if a square became a rectangle of 5 by 4; charts with more are cut further (1 = no limit; auto = 0.1, or 5 times what maxStretch is above 1, if that is more)
   double maxSheared = -1;
+  /// how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared (1 = no more than elsewhere)
+  double frontLeeway = 8;
   /// trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)
   double balance = 0.2;
   /// turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are
@@ -192,6 +196,8 @@ struct UnwrapOptionValues {
   int resolution = 1024;
   /// free texels between charts, and between far parts of one chart
   int padding = 2;
+  /// free texels between charts and the edge of their tile (auto = half the padding, rounded up)
+  int margin = -1;
   /// texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)
   double texelDensity = 0;
   /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
@@ -216,6 +222,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
     {"maxStretch", "--max-stretch", "1.02", "above 1", "largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts", false, false},
     {"maxSheared", "--max-sheared", "auto", "above 0 and at most 1, or auto", "largest share of a chart's surface that may be sheared, that is, have a quasi-conformal distortion above 1.25, as if a square became a rectangle of 5 by 4; charts with more are cut further (1 = no limit; auto = 0.1, or 5 times what maxStretch is above 1, if that is more)", false, false},
+    {"frontLeeway", "--front-leeway", "8", "at least 1 and at most 100", "how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared (1 = no more than elsewhere)", false, false},
     {"balance", "--balance", "0.2", "at least 0 and at most 1", "trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)", false, false},
     {"orient", "--orient", "false", "", "turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are", true, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches", false, true},
@@ -226,6 +233,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"rectify", "--rectify", "auto", "auto, never, always", "whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that hardly stretches, and stays within the bound of stretch; never = leave outlines as they come out; always = however much that stretches", false, true},
     {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart", false, false},
+    {"margin", "--margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between charts and the edge of their tile (auto = half the padding, rounded up)", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"packingCuts", "--packing-cuts", "auto", "auto, never", "whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole", false, true},
@@ -236,7 +244,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 21};
+  return {kInfos, 23};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -253,78 +261,86 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.maxSheared = static_cast<double>(value);
       return true;
     case 2:
+      if (!(value >= 1 && value <= 100)) return false;
+      options.frontLeeway = static_cast<double>(value);
+      return true;
+    case 3:
       if (!(value >= 0 && value <= 1)) return false;
       options.balance = static_cast<double>(value);
       return true;
-    case 3:
+    case 4:
       if (!(value == 0 || value == 1)) return false;
       options.orient = value != 0;
       return true;
-    case 4:
+    case 5:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.fillHoles = static_cast<FillHoles>(static_cast<int>(value));
       return true;
-    case 5:
+    case 6:
       if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
       options.seamCosts = static_cast<SeamCosts>(static_cast<int>(value));
       return true;
-    case 6:
+    case 7:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.symmetricSeams = static_cast<SymmetricSeams>(static_cast<int>(value));
       return true;
-    case 7:
+    case 8:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.t = static_cast<double>(value);
       return true;
-    case 8:
+    case 9:
       if (!(value == 0 || value == 1)) return false;
       options.straightSeams = value != 0;
       return true;
-    case 9:
+    case 10:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.rectify = static_cast<Rectify>(static_cast<int>(value));
       return true;
-    case 10:
+    case 11:
       if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
       options.resolution = static_cast<int>(value);
       return true;
-    case 11:
+    case 12:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
       return true;
-    case 12:
+    case 13:
+      if (!(((value >= 0 && value <= 256) || (isWord && value == -1)) && value == std::trunc(value))) return false;
+      options.margin = static_cast<int>(value);
+      return true;
+    case 14:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.texelDensity = static_cast<double>(value);
       return true;
-    case 13:
+    case 15:
       if (!(value == 0 || value == 1)) return false;
       options.udim = value != 0;
       return true;
-    case 14:
+    case 16:
       if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
       options.packingCuts = static_cast<PackingCuts>(static_cast<int>(value));
       return true;
-    case 15:
+    case 17:
       if (!((value >= 0 && value <= 1) || (isWord && value == -1))) return false;
       options.minUtilization = static_cast<double>(value);
       return true;
-    case 16:
+    case 18:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.up = static_cast<Up>(static_cast<int>(value));
       return true;
-    case 17:
+    case 19:
       if (!(value >= 0 && value < 4 && value == std::trunc(value))) return false;
       options.rotate = static_cast<Rotate>(static_cast<int>(value));
       return true;
-    case 18:
+    case 20:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.stack = static_cast<Stack>(static_cast<int>(value));
       return true;
-    case 19:
+    case 21:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 20:
+    case 22:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -335,42 +351,43 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
 /// The number that stands for a word ("auto") or a choice of an option.
 inline double wordValue(const UnwrapOptionValues&, int index, std::string_view text, bool& found) {
   if (index == 1 && text == "auto") return found = true, -1;
-  if (index == 4 && text == "auto") return found = true, 0;
-  if (index == 4 && text == "never") return found = true, 1;
-  if (index == 4 && text == "always") return found = true, 2;
-  if (index == 5 && text == "sight") return found = true, 0;
-  if (index == 5 && text == "length") return found = true, 1;
-  if (index == 6 && text == "auto") return found = true, 0;
-  if (index == 6 && text == "never") return found = true, 1;
-  if (index == 6 && text == "always") return found = true, 2;
+  if (index == 5 && text == "auto") return found = true, 0;
+  if (index == 5 && text == "never") return found = true, 1;
+  if (index == 5 && text == "always") return found = true, 2;
+  if (index == 6 && text == "sight") return found = true, 0;
+  if (index == 6 && text == "length") return found = true, 1;
   if (index == 7 && text == "auto") return found = true, 0;
-  if (index == 9 && text == "auto") return found = true, 0;
-  if (index == 9 && text == "never") return found = true, 1;
-  if (index == 9 && text == "always") return found = true, 2;
-  if (index == 12 && text == "auto") return found = true, 0;
+  if (index == 7 && text == "never") return found = true, 1;
+  if (index == 7 && text == "always") return found = true, 2;
+  if (index == 8 && text == "auto") return found = true, 0;
+  if (index == 10 && text == "auto") return found = true, 0;
+  if (index == 10 && text == "never") return found = true, 1;
+  if (index == 10 && text == "always") return found = true, 2;
+  if (index == 13 && text == "auto") return found = true, -1;
   if (index == 14 && text == "auto") return found = true, 0;
-  if (index == 14 && text == "never") return found = true, 1;
-  if (index == 15 && text == "auto") return found = true, -1;
   if (index == 16 && text == "auto") return found = true, 0;
-  if (index == 16 && text == "y") return found = true, 1;
-  if (index == 16 && text == "z") return found = true, 2;
-  if (index == 17 && text == "auto") return found = true, 0;
-  if (index == 17 && text == "free") return found = true, 1;
-  if (index == 17 && text == "quarter") return found = true, 2;
-  if (index == 17 && text == "none") return found = true, 3;
-  if (index == 18 && text == "none") return found = true, 0;
-  if (index == 18 && text == "identical") return found = true, 1;
-  if (index == 18 && text == "mirrored") return found = true, 2;
+  if (index == 16 && text == "never") return found = true, 1;
+  if (index == 17 && text == "auto") return found = true, -1;
+  if (index == 18 && text == "auto") return found = true, 0;
+  if (index == 18 && text == "y") return found = true, 1;
+  if (index == 18 && text == "z") return found = true, 2;
   if (index == 19 && text == "auto") return found = true, 0;
+  if (index == 19 && text == "free") return found = true, 1;
+  if (index == 19 && text == "quarter") return found = true, 2;
+  if (index == 19 && text == "none") return found = true, 3;
+  if (index == 20 && text == "none") return found = true, 0;
+  if (index == 20 && text == "identical") return found = true, 1;
+  if (index == 20 && text == "mirrored") return found = true, 2;
+  if (index == 21 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, [[maybe_unused]] int index,
                        [[maybe_unused]] char letter) {
-  if (index == 19 && letter == 'M') return 1;
-  if (index == 19 && letter == 'G') return 1024;
-  if (index == 19 && letter == 'T') return 1048576;
+  if (index == 21 && letter == 'M') return 1;
+  if (index == 21 && letter == 'G') return 1024;
+  if (index == 21 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -382,6 +399,7 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
     visit("maxSheared", "auto");
   else
     visit("maxSheared", options.maxSheared);
+  visit("frontLeeway", options.frontLeeway);
   visit("balance", options.balance);
   visit("orient", options.orient);
   visit("fillHoles", nameOf(options.fillHoles));
@@ -395,6 +413,10 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   visit("rectify", nameOf(options.rectify));
   visit("resolution", options.resolution);
   visit("padding", options.padding);
+  if (options.margin == -1)
+    visit("margin", "auto");
+  else
+    visit("margin", options.margin);
   if (options.texelDensity == 0)
     visit("texelDensity", "auto");
   else

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "abflat/generated/baking_report.h"
 #include "abflat/generated/chart_report.h"
 #include "abflat/generated/mesh_summary.h"
 #include "abflat/generated/names.h"
@@ -117,6 +118,9 @@ struct UnwrapChart {
   double quasiConformalSheared = 0;
   /// Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric).
   double symmetricDirichlet = 0;
+  /// How many times as far above 1 as maxStretch its stretch may be: frontLeeway in the front of a
+  /// figure, less where only a part is.
+  double leeway = 1;
   /// The outcome of refining for lengths; of the whole chart if packing has cut it.
   std::optional<RefineReport> refined;
   /// How the pins were met.
@@ -151,6 +155,7 @@ void visitFields(const UnwrapChart& r, Visitor& v) {
   v.field("sheared", r.quasiConformalSheared);
   v.end();
   v.field("symmetricDirichlet", r.symmetricDirichlet);
+  v.field("leeway", r.leeway);
   v.field("refined", r.refined);
   v.field("pins", r.pins);
   v.field("straight", r.straight);
@@ -165,6 +170,8 @@ struct AtlasReport {
   int resolution = 0;
   /// Texels between charts.
   int padding = 0;
+  /// Texels between charts and the edge of their tile.
+  int margin = 0;
   /// Unit squares, ten in a row: UDIM 1001 and on.
   int tiles = 1;
   /// Share of the tiles that charts cover; what charts share counts once.
@@ -189,6 +196,7 @@ template <class Visitor>
 void visitFields(const AtlasReport& r, Visitor& v) {
   v.field("resolution", r.resolution);
   v.field("padding", r.padding);
+  v.field("margin", r.margin);
   v.field("tiles", r.tiles);
   v.field("utilization", r.utilization);
   v.begin("stacked");
@@ -279,6 +287,8 @@ struct UnwrapReport {
   /// Peak memory in MB by the end of each stage: natively of the process, in the package of the
   /// module's heap, which never shrinks, in MB.
   UnwrapStages peakMemory;
+  /// What became of the old textures.
+  std::optional<BakingReport> baking;
   /// Why there is no result.
   Status error;
 };
@@ -300,6 +310,7 @@ void visitFields(const UnwrapReport& r, Visitor& v) {
   v.field("valid", r.valid);
   v.field("timings", r.timings);
   v.field("peakMemory", r.peakMemory);
+  if (r.baking) v.field("baking", *r.baking);
   v.reportError("error", r.error);
 }
 

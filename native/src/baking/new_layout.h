@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace abflat::cli {
+
+/// The layout that textures are to follow, as it is written.
+struct NewLayout {
+  const std::vector<double>& uv;               ///< v upwards
+  const std::vector<std::uint32_t>& ofCorner;  ///< per face corner, once faces were turned
+  const std::vector<std::uint32_t>& turnedFaces;
+  int padding = 0;     ///< in texels, or in those of the resolution if there is one
+  int resolution = 0;  ///< that it was packed for; 0: unknown
+};
+
+}  // namespace abflat::cli

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "abflat/pack_layout.h"
+#include "atlas_oracle.h"
+#include "exact_turn.h"
+#include "expect.h"
+#include "layout_cases.h"
+#include "round_trip.h"
+#include "targets.h"
+
+namespace abflat::fuzz {
+namespace {
+
+using Uv = std::complex<double>;
+
+Uv uvAt(const std::vector<double>& uv, std::uint32_t i) {
+  return {uv[2 * std::size_t{i}], uv[2 * std::size_t{i} + 1]};
+}
+
+struct Box {
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+
+  void add(Uv p) {
+    const double at[] = {p.real(), p.imag()};
+    for (int d = 0; d < 2; ++d) {
+      low[d] = std::min(low[d], at[d]);
+      high[d] = std::max(high[d], at[d]);
+    }
+  }
+  double size() const { return std::max(high[0] - low[0], high[1] - low[1]); }
+  bool isApartFrom(const Box& b, double gap) const {
+    return low[0] - b.high[0] > gap || b.low[0] - high[0] > gap || low[1] - b.high[1] > gap ||
+           b.low[1] - high[1] > gap;
+  }
+};
+
+/// A mesh, its layout, and what became of it.
+struct PackedMesh {
+  const PolygonMesh& mesh;
+  const PackLayoutResult& result;
+
+  Uv before(std::uint32_t c) const { return uvAt(mesh.texcoords, mesh.faceTexcoords[c]); }
+  Uv after(std::uint32_t c) const { return uvAt(result.uv, result.cornerUv[c]); }
+};
+
+/// Visits the corners of islands.
+template <class Visit>
+void forEachCorner(const PackedMesh& p, const Visit& visit) {
+  for (std::uint32_t f = 0; f < p.mesh.faceCount(); ++f)
+    if (const std::uint32_t island = p.result.islandOfFace[f]; island != kNoIsland)
+      for (std::uint32_t c = p.mesh.faceOffsets[f]; c < p.mesh.faceOffsets[f + 1]; ++c)
+        visit(island, c);
+}
+
+void expectStays(const PackedMesh& p, Precision precision) {
+  for (std::uint32_t f = 0; f < p.mesh.faceCount(); ++f)
+    for (std::uint32_t c = p.mesh.faceOffsets[f]; c < p.mesh.faceOffsets[f + 1]; ++c) {
+      const bool isMissing = p.mesh.faceTexcoords[c] == kNoTexcoord;
+      expect((p.result.cornerUv[c] == kNoTexcoord) == isMissing, "corners keep having texcoords");
+      if (!isMissing && p.result.islandOfFace[f] == kNoIsland && precision == Precision::Double)
+        expect(p.before(c) == p.after(c), "faces that are no island stay where they are");
+    }
+}
+
+/// Every island is moved, turned and scaled as a whole.
+void expectShapes(const PackedMesh& p, bool isSameScale) {
+  constexpr double kNear = 1e-9;
+  struct Similarity {
+    std::uint32_t first = 0, farthest = 0;
+    bool isSet = false;
+  };
+  std::vector<Similarity> of(p.result.report.islands);
+  forEachCorner(p, [&](std::uint32_t island, std::uint32_t c) {
+    Similarity& s = of[island];
+    if (!s.isSet) s = {c, c, true};
+    if (std::abs(p.before(c) - p.before(s.first)) >
+        std::abs(p.before(s.farthest) - p.before(s.first)))
+      s.farthest = c;
+  });
+  forEachCorner(p, [&](std::uint32_t island, std::uint32_t c) {
+    const Similarity& s = of[island];
+    const Uv reach = p.before(s.farthest) - p.before(s.first);
+    if (!(std::abs(reach) > 0)) return;
+    const Uv turn = (p.after(s.farthest) - p.after(s.first)) / reach;
+    const Uv wanted = turn * (p.before(c) - p.before(s.first));
+    expect(std::abs(p.after(c) - p.after(s.first) - wanted) < kNear, "islands keep their shapes");
+    if (isSameScale && p.result.report.scale > 0)
+      expect(std::abs(std::abs(turn) - p.result.report.scale) * std::abs(reach) < kNear,
+             "islands keep their sizes beside each other");
+  });
+}
+
+/// One triangle of the result for the oracle, the right way round.
+std::array<double, 6> triangleAt(const PackedMesh& p, std::size_t i) {
+  std::array<double, 6> out{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Uv uv = p.after(p.result.triangleCorners[3 * i + k]);
+    out[2 * k] = uv.real();
+    out[2 * k + 1] = uv.imag();
+  }
+  if (exactTurn(&out[0], &out[2], &out[4]) < 0) std::swap_ranges(&out[2], &out[4], &out[4]);
+  return out;
+}
+
+/// Islands lie in tiles, and what clearly lay apart does not overlap.
+void expectPlaces(const PackedMesh& p) {
+  std::vector<Box> boxes(p.result.report.islands);
+  forEachCorner(p, [&](std::uint32_t island, std::uint32_t c) { boxes[island].add(p.before(c)); });
+  const PackedVertices vertices = packedVertices(p.mesh, p.result);
+  struct Triangle {
+    std::array<double, 6> uv;
+    Box box;
+    std::uint32_t island;
+  };
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < vertices.islandOfTriangle.size(); ++i) {
+    if (vertices.islandOfTriangle[i] == kNoIsland) continue;
+    Triangle t{triangleAt(p, i), {}, vertices.islandOfTriangle[i]};
+    for (std::size_t k = 0; k < 3; ++k) t.box.add({t.uv[2 * k], t.uv[2 * k + 1]});
+    const std::string wrong =
+        complaint({{t.uv.begin(), t.uv.end()}, {true}}, p.result.report.tiles);
+    expect(wrong.empty(), "a valid layout: " + wrong);
+    triangles.push_back(t);
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Triangle &a = triangles[i], &b = triangles[j];
+      const Box &wasA = boxes[a.island], &wasB = boxes[b.island];
+      // Rounding may close a gap that is hardly there.
+      const double gap = 1e-6 * std::max(wasA.size(), wasB.size());
+      if (a.island == b.island || !wasA.isApartFrom(wasB, gap) || a.box.isApartFrom(b.box, 0))
+        continue;
+      AtlasTriangles both{{a.uv.begin(), a.uv.end()}, {true, true}};
+      both.uv.insert(both.uv.end(), b.uv.begin(), b.uv.end());
+      expect(overlapComplaint(both).empty(), "islands that lay apart do not overlap");
+    }
+}
+
+}  // namespace
+
+bool packMesh(const std::uint8_t* bytes, std::size_t size) {
+  const auto [mesh, options] = packCase(bytes, size);
+  const Result<PackLayoutResult> result = packLayout(mesh, options);
+  if (!result.ok()) {
+    expectReason(result.status(),
+                 {StatusCode::EmptyMesh, StatusCode::AtlasTooSmall, StatusCode::InvalidOption,
+                  StatusCode::InvalidMesh, StatusCode::NoTexcoords});
+    return false;
+  }
+  const PackedMesh packed{mesh, result.value()};
+  const PackReport& report = result.value().report;
+  packReportJson(report);
+  expectStays(packed, options.precision);
+  if (options.keepPlaces && options.precision == Precision::Double)
+    forEachCorner(packed, [&](std::uint32_t, std::uint32_t c) {
+      expect(packed.before(c) == packed.after(c), "what is to stay stays where it is");
+    });
+  if (options.precision == Precision::Double)
+    expectShapes(packed, options.islandSizes == IslandSizes::Keep);
+  if (report.valid) expectPlaces(packed);
+  if (report.unmapped == 0 && options.precision != Precision::Gltf)
+    expectFile(mesh, {result.value().uv, result.value().cornerUv},
+               options.precision == Precision::Single ? MeshFormat::Ply : MeshFormat::Obj);
+  return true;
+}
+
+}  // namespace abflat::fuzz

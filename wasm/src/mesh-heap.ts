@@ -1,0 +1,107 @@
+// Meshes in the memory of the module, and the results that it has of them.
+
+import type { NativeModule } from './abflat.js';
+import { RESULT_ARRAYS } from './base/generated-arrays.js';
+import { Heap } from './heap.js';
+import type { KnownArrays, OwnedMesh } from './messages/protocol.js';
+
+export type ResultName = keyof typeof RESULT_ARRAYS;
+export type ResultArray<Name extends ResultName> = InstanceType<
+  (typeof RESULT_ARRAYS)[Name]['Kind']
+>;
+
+export class MeshHeap extends Heap {
+  readonly #native: NativeModule;
+
+  constructor(native: NativeModule, memory: WebAssembly.Memory, maxBytes: number) {
+    super(memory, maxBytes);
+    this.#native = native;
+  }
+
+  /**
+   * Copies the mesh to the module and lets go of its arrays, so that they can be freed
+   * while the module works.
+   */
+  writeMesh(job: number, mesh: OwnedMesh): void {
+    this.checkBytes(bytesOf(mesh));
+    if ('bytes' in mesh) {
+      this.writeName(job, mesh.name);
+      this.writeBytes(this.#native._abflatSource(job, mesh.bytes.length), mesh.bytes);
+      mesh.bytes = new Uint8Array();
+      return;
+    }
+    const native = this.#native;
+    const { positions, indices, texcoords, normals, cornerNormals, materials } = mesh;
+    this.writeName(job, 'arrays');
+    this.writeReals(native._abflatPositions(job, positions.length), positions);
+    this.writeNumbers(native._abflatIndices(job, indices.length), indices);
+    if (texcoords) this.writeReals(native._abflatTexcoords(job, texcoords.length), texcoords);
+    if (cornerNormals)
+      this.writeReals(native._abflatNormals(job, cornerNormals.length, true), cornerNormals);
+    else if (normals) this.writeReals(native._abflatNormals(job, normals.length, false), normals);
+    if (materials) this.writeNumbers(native._abflatMaterials(job, materials.length), materials);
+    mesh.positions = new Float64Array();
+    mesh.indices = new Uint32Array();
+    mesh.texcoords = undefined;
+    mesh.normals = undefined;
+    mesh.cornerNormals = undefined;
+    mesh.materials = undefined;
+  }
+
+  writeKnown(job: number, { t, balance, straightSeams, arrays }: KnownArrays): void {
+    const entries = Object.entries(arrays);
+    this.checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
+    for (const [name, array] of entries) {
+      const start = this.#native._abflatKnown(
+        job,
+        RESULT_ARRAYS[name as keyof typeof arrays].field,
+        array.length,
+      );
+      this.#write(start, array);
+    }
+    this.#native._abflatKnownOptions(job, t, balance, straightSeams);
+  }
+
+  /** `which`: its place in UNWRAP_ARRAYS. */
+  writeArray(job: number, which: number, array: Uint32Array | Float64Array): void {
+    this.checkBytes(array.byteLength);
+    this.#write(this.#native._abflatArray(job, which, array.length), array);
+  }
+
+  writeName(job: number, name: string): void {
+    this.writeText(name, (bytes) => this.#native._abflatName(job, bytes));
+  }
+
+  /** `room` allocates that many bytes and returns their address. */
+  writeText(text: string, room: (bytes: number) => number): void {
+    const bytes = new TextEncoder().encode(text);
+    this.writeBytes(room(bytes.length), bytes);
+  }
+
+  #write(address: number, array: Uint32Array | Float64Array): void {
+    if (array instanceof Float64Array) this.writeReals(address, array);
+    else this.writeNumbers(address, array);
+  }
+
+  /** A copy of a result. */
+  read<Name extends ResultName>(job: number, name: Name): ResultArray<Name> {
+    const { field, Kind } = RESULT_ARRAYS[name];
+    const start = this.#native._abflatResultData(job, field);
+    const copy = this.copy(start, this.#native._abflatResultSize(job, field));
+    return new Kind(copy) as ResultArray<Name>;
+  }
+
+  readText(job: number): string {
+    return new TextDecoder().decode(this.read(job, 'text'));
+  }
+}
+
+function bytesOf(mesh: OwnedMesh): number {
+  if ('bytes' in mesh) return mesh.bytes.length;
+  const numbers = (array?: { length: number }) => array?.length ?? 0;
+  return (
+    8 * (numbers(mesh.positions) + numbers(mesh.texcoords)) +
+    8 * numbers(mesh.cornerNormals ?? mesh.normals) +
+    4 * (numbers(mesh.indices) + numbers(mesh.materials))
+  );
+}

@@ -1,0 +1,82 @@
+import '../css/baking.css';
+import { create, element } from '../base/dom';
+import { isOneTile } from '../model/bake-settings';
+import { type ImageSide, isBakeable } from '../model/baking';
+import type { Outcome } from '../model/model';
+import { BAKE_CHOICE } from '../words/baking';
+
+const SIDES: ImageSide[] = ['auto', 1024, 2048, 4096, 8192];
+
+/** Whether textures follow the new layout, and the size of their images, in the menu of exports. */
+export class BakeChoice {
+  private readonly item = itemOf('menuitemcheckbox', BAKE_CHOICE.title);
+  private readonly what = create('small', 'bake-what');
+  private readonly sizes = create('div', 'bake-sizes');
+  private side: ImageSide = 'auto';
+
+  constructor(private readonly changed: () => void) {
+    this.item.id = 'bake';
+    this.item.append(' ', this.what);
+    this.item.addEventListener('click', () => this.choose(!this.isOn, this.side));
+    this.sizes.role = 'group';
+    this.sizes.ariaLabel = BAKE_CHOICE.sides;
+    this.sizes.append(...SIDES.map((side) => this.sizeOf(side)));
+    element('export-menu', HTMLElement)
+      .querySelector('.menu-action')
+      ?.before(this.item, this.sizes);
+    this.reset();
+  }
+
+  show(outcome: Outcome | null): void {
+    const isOffered = isBakeable(outcome);
+    this.item.hidden = !isOffered;
+    this.item.disabled = !isOffered || !isOneTile(outcome);
+    this.what.textContent =
+      isOffered && this.item.disabled ? BAKE_CHOICE.oneTile : BAKE_CHOICE.what;
+    this.update();
+  }
+
+  reset(): void {
+    this.side = 'auto';
+    this.item.ariaChecked = 'false';
+    this.update();
+  }
+
+  get imageSide(): ImageSide | null {
+    return this.isOn && !this.item.disabled ? this.side : null;
+  }
+
+  private get isOn(): boolean {
+    return this.item.ariaChecked === 'true';
+  }
+
+  private choose(isOn: boolean, side: ImageSide): void {
+    this.item.ariaChecked = String(isOn);
+    this.side = side;
+    this.update();
+    this.changed();
+  }
+
+  private update(): void {
+    this.sizes.hidden = this.imageSide === null;
+    for (const size of this.sizes.querySelectorAll('button'))
+      size.ariaChecked = String(size.dataset.value === String(this.side));
+  }
+
+  private sizeOf(side: ImageSide): HTMLButtonElement {
+    const size = itemOf('menuitemradio', BAKE_CHOICE.side(side));
+    size.dataset.value = String(side);
+    if (side === 'auto') size.title = BAKE_CHOICE.auto;
+    size.addEventListener('click', () => this.choose(true, side));
+    return size;
+  }
+}
+
+/** An item of the menu, which stays open. */
+function itemOf(role: string, text: string): HTMLButtonElement {
+  const item = create('button', '', text);
+  item.type = 'button';
+  item.role = role;
+  item.tabIndex = -1;
+  return item;
+}
