@@ -29,7 +29,8 @@ const WASM_BUILDS = {
 /** Runs in all browsers of recent years, with and without isolation: good enough to start with. */
 const FIRST_BUILD = 'wasm-simd';
 const WASM_MODULES = Object.keys(WASM_BUILDS).flatMap((folder) => {
-  const names = folder === 'wasm-threads' ? ['abflat-threads'] : ['abflat', 'abflat-bake'];
+  const names =
+    folder === 'wasm-threads' ? ['abflat-threads'] : ['abflat', 'abflat-pack', 'abflat-bake'];
   return names.flatMap((name) => ['mjs', 'wasm'].map((type) => `build/${folder}/${name}.${type}`));
 });
 

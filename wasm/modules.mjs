@@ -17,26 +17,27 @@ const MODULES = {
 };
 export const BUILDS = Object.keys(MODULES);
 
-/** The module that bakes, the same for all builds: vectors make it hardly faster. */
-const bakeOf = (build) => ({
-  folder: MODULES[build].folder,
-  built: 'abflat-bake',
-  name: 'abflat-bake',
-});
+/** Modules of their own, the same for all builds: vectors make them hardly faster. */
+const LATE = ['pack', 'bake'];
+const lateOf = (build) =>
+  LATE.map((label) => {
+    const name = `abflat-${label}`;
+    return { folder: MODULES[build].folder, built: name, name, label };
+  });
 
 /** Base names in dist/. */
-export const NAMES = [...Object.values(MODULES), bakeOf('plain')].map(({ name }) => name);
+export const NAMES = [...Object.values(MODULES), ...lateOf('plain')].map(({ name }) => name);
 
 const pathOf = ({ folder, built }, ending) => join(BUILD, folder, `${built}${ending}`);
 
 /** A file that is missing for `builds`, if any. */
 export const missingModule = (builds) =>
-  [...builds.map((build) => MODULES[build]), bakeOf(builds[0])]
+  [...builds.map((build) => MODULES[build]), ...lateOf(builds[0])]
     .flatMap((module) => ['.mjs', '.wasm'].map((ending) => pathOf(module, ending)))
     .find((path) => !existsSync(path));
 
 /**
- * Adds a section "abflat.build" to the module that says which build it is, or `bake`; all lengths
+ * Adds a section "abflat.build" to the module that says which build or other module it is; all lengths
  * fit in one byte.
  */
 function labelled(bytes, build) {
@@ -125,8 +126,7 @@ export function placeModules(dist, builds = BUILDS) {
     const build = builds.includes(wanted) ? wanted : builds[0];
     place(dist, MODULES[build], { label: build, name });
   }
-  const bake = bakeOf(builds[0]);
-  place(dist, bake, { label: 'bake', name: bake.name });
+  for (const late of lateOf(builds[0])) place(dist, late, late);
 }
 
 function place(dist, module, { label, name }) {

@@ -209,7 +209,7 @@ test('a file that is not the module is named', async () => {
   const other = await createAbflat({ bakeUrl: main });
   await assert.rejects(other.bake(SQUARE, layout, source), {
     code: 'UnreadableFile',
-    message: /bakeUrl is not the module for baking/,
+    message: /bakeUrl is not the module of this version of abflat that bakes/,
   });
   other.terminate();
 });

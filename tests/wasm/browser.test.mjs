@@ -219,38 +219,44 @@ test('memory that does not suffice in a page', NEEDS_CHROME, async () => {
   assert.equal(valid, true);
 });
 
-/** Bakes a square and returns the first pixel; `name`s of files are loaded when they are needed. */
-const BAKING = `
-  const bake = async (abflat) => {
+/** Packs a triangle and bakes it; `names` are those of the files that are loaded for that. */
+const LATER = `
+  const packAndBake = async (abflat) => {
     const names = () =>
-      performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => /bake/.test(name));
+      performance.getEntriesByType('resource').flatMap(({ name }) => name.match(/(pack|bake)\\S*\\.wasm/)?.[1] ?? []);
     const before = names();
     const mesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], texcoords: [0, 0, 1, 0, 0, 1] };
     const image = { data: new Uint8ClampedArray(64).fill(77), width: 4, height: 4 };
-    const { data, width } = await abflat.bake(mesh, await abflat.unwrap(mesh), { image });
+    const [layout] = await Promise.all([abflat.pack(mesh), abflat.pack(mesh)]);
+    const { data, width } = await abflat.bake(mesh, layout, { image });
     const made = new ImageData(data, width);
     document.body.textContent =
-      'valid: ' + JSON.stringify([before, names().some((name) => name.endsWith('.wasm')), made.width]);
+      'valid: ' + JSON.stringify([before, names().sort(), layout.uv.length, made.width]);
   };
 `;
-const BAKED = /valid: \[\[\],true,16\]/;
+const PACKED_AND_BAKED = /valid: \[\[\],\["bake","pack"\],6,16\]/;
 
-test('what bakes is loaded with the first call, and runs in a worker', NEEDS_CHROME, async () => {
-  const code = `
+test(
+  'what packs and what bakes is loaded with the first call, and runs in a worker',
+  NEEDS_CHROME,
+  async () => {
+    const code = `
     import { createAbflat } from './node_modules/abflat/dist/index.js';
-    ${BAKING}
-    bake(await createAbflat());
+    ${LATER}
+    packAndBake(await createAbflat());
   `;
-  const html = `${EMPTY}<script type="module">${code}</script><body></body>`;
-  const root = site('bake', { 'index.html': html });
-  for (const headers of [{}, ISOLATED]) await assertShows(`${await serve(root, headers)}/`, BAKED);
-});
+    const html = `${EMPTY}<script type="module">${code}</script><body></body>`;
+    const root = site('later', { 'index.html': html });
+    for (const headers of [{}, ISOLATED])
+      await assertShows(`${await serve(root, headers)}/`, PACKED_AND_BAKED);
+  },
+);
 
-test('a Vite build bakes', NEEDS_CHROME, async () => {
+test('a Vite build packs and bakes', NEEDS_CHROME, async () => {
   const require = createRequire(join(ROOT, 'web/package.json'));
   const path = require.resolve('vite');
   const vite = await import(pathToFileURL(path.replace(/index\.cjs$/, 'dist/node/index.js')));
-  const root = join(folder, 'vite-bake');
+  const root = join(folder, 'vite-later');
   mkdirSync(root);
   writeFileSync(
     join(root, 'index.html'),
@@ -258,21 +264,21 @@ test('a Vite build bakes', NEEDS_CHROME, async () => {
   );
   writeFileSync(
     join(root, 'main.js'),
-    `import { createAbflat } from 'abflat'; ${BAKING} createAbflat().then(bake);`,
+    `import { createAbflat } from 'abflat'; ${LATER} createAbflat().then(packAndBake);`,
   );
   await vite.build({ root, logLevel: 'warn', configFile: false });
-  await assertShows(`${await serve(join(root, 'dist'))}/`, BAKED);
+  await assertShows(`${await serve(join(root, 'dist'))}/`, PACKED_AND_BAKED);
 });
 
-test('bake runs in worker.js, and from baseUrl', NEEDS_CHROME, async () => {
-  const sides = await inPage('bake-places', async ({ entry }) => {
+test('pack and bake run in worker.js, and from baseUrl', NEEDS_CHROME, async () => {
+  const sides = await inPage('later-places', async ({ entry }) => {
     const { createAbflat } = await import(entry);
     const dist = new URL('.', entry);
     const mesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], texcoords: [0, 0, 1, 0, 0, 1] };
     const sides = [];
     for (const settings of [{ workerUrl: new URL('worker.js', dist) }, { baseUrl: dist }]) {
       const abflat = await createAbflat(settings);
-      const { width } = await abflat.bake(mesh, { uv: mesh.texcoords }, { factor: [1, 0, 0, 1] });
+      const { width } = await abflat.bake(mesh, await abflat.pack(mesh), { factor: [1, 0, 0, 1] });
       sides.push(width);
       abflat.terminate();
     }

@@ -8,7 +8,9 @@ import { test } from 'node:test';
 import { ROOT } from './support/paths.mjs';
 
 const read = (path) => readFileSync(join(ROOT, path), 'utf8');
-const API = read('wasm/bindings/api.cpp');
+const API = read('wasm/bindings/main/api.cpp');
+const INPUT_API = read('wasm/bindings/input_api.cpp');
+const PACK_API = read('wasm/bindings/pack/api.cpp');
 const CALLBACKS = read('wasm/bindings/callbacks.cpp');
 const BAKE_API = read('wasm/bindings/bake/api.cpp');
 
@@ -62,7 +64,9 @@ function assertDeclared(text, path, name) {
 }
 
 test('the functions of the modules are declared as they are', () => {
-  assertDeclared(API, 'wasm/src/abflat.d.ts', 'NativeModule');
+  assertDeclared(API, 'wasm/src/abflat.d.ts', 'NativeModule extends InputModule');
+  assertDeclared(INPUT_API, 'wasm/src/input-module.ts', 'InputModule');
+  assertDeclared(PACK_API, 'wasm/src/abflat-pack.d.ts', 'PackModule extends InputModule');
   assertDeclared(BAKE_API, 'wasm/src/abflat-bake.d.ts', 'BakeModule');
 });
 

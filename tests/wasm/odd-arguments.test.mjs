@@ -205,7 +205,15 @@ test('what every object inherits is no option and no array of a mesh', async () 
     for (const name of names) delete Object.prototype[name];
   });
   assert.deepEqual(await ended, expected);
-  for (const name of ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'bakeUrl', 'workerUrl'])
+  for (const name of [
+    'build',
+    'maxMemory',
+    'baseUrl',
+    'wasmUrl',
+    'packUrl',
+    'bakeUrl',
+    'workerUrl',
+  ])
     Object.prototype[name] = 5;
   const started = createAbflat().finally(() => {
     for (const name of names) delete Object.prototype[name];

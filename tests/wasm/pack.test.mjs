@@ -142,3 +142,38 @@ for (const [name, text] of MESHES)
     assert.deepEqual(comparable(wasm.report), comparable(native));
     assert.equal(wasm.positions.length, 3 * wasm.vertexMap.length);
   });
+
+test('arguments are read at once, although the module is loaded later', async () => {
+  const own = await createAbflat();
+  const mesh = { ...PARTS(), positions: new Float64Array(PARTS().positions) };
+  const call = own.pack(mesh);
+  mesh.positions.fill(0);
+  const { uv } = await call;
+  assert.deepEqual(uv, (await own.pack(PARTS())).uv);
+  own.terminate();
+  await assert.rejects(own.pack(PARTS()), { name: 'AbortError' });
+});
+
+test('a call ends when everything is terminated while the module is loaded', async () => {
+  const own = await createAbflat();
+  const call = own.pack(PARTS());
+  own.terminate();
+  await assert.rejects(call, { name: 'AbortError' });
+});
+
+test('a file that is not the module is named, and other calls work', async () => {
+  const own = await createAbflat({ packUrl: new URL('./nowhere.wasm', import.meta.url) });
+  const failed = { code: 'UnreadableFile', lost: 'module', message: /nowhere\.wasm/ };
+  await assert.rejects(own.pack(PARTS()), failed);
+  await assert.rejects(own.pack(PARTS()), failed, 'and again');
+  assert.equal((await own.inspect(PARTS())).triangles, 4);
+  own.terminate();
+  const other = await createAbflat({
+    packUrl: new URL('./abflat.wasm', import.meta.resolve('abflat')),
+  });
+  await assert.rejects(other.pack(PARTS()), {
+    code: 'UnreadableFile',
+    message: /packUrl is not the module of this version of abflat that packs/,
+  });
+  other.terminate();
+});

@@ -41,7 +41,7 @@ test('npm pack contains the licences, the changes, an example and no sources', (
     'gltf/package.json',
     'three/package.json',
     'dist/index.d.ts',
-    ...['abflat', 'abflat-simd', 'abflat-threads', 'abflat-bake'].map(
+    ...['abflat', 'abflat-simd', 'abflat-threads', 'abflat-pack', 'abflat-bake'].map(
       (name) => `dist/${name}.wasm`,
     ),
   ]) {

@@ -1,21 +1,14 @@
-// The module that Emscripten writes; see wasm/bindings/api.cpp for the functions.
+// The module that Emscripten writes; see wasm/bindings/main/api.cpp for the functions.
 
 import type { NativeSettings } from './glue.js';
+import type { InputModule } from './input-module.js';
 
 /** Pointers and sizes are unsigned in C++ and signed here: add `>>> 0`. */
-export interface NativeModule {
+export interface NativeModule extends InputModule {
   _abflatNewJob(): number;
   _abflatFreeJob(job: number): void;
-  _abflatName(job: number, bytes: number): number;
-  _abflatSource(job: number, bytes: number): number;
-  _abflatPositions(job: number, count: number): number;
-  _abflatIndices(job: number, count: number): number;
-  _abflatTexcoords(job: number, count: number): number;
-  _abflatNormals(job: number, count: number, areOfCorners: boolean): number;
-  _abflatMaterials(job: number, count: number): number;
   _abflatSetOption(job: number, index: number, value: number): number;
   _abflatSetUnwrapOption(job: number, index: number, value: number): number;
-  _abflatSetPackOption(job: number, index: number, value: number): number;
   _abflatSeams(job: number, bytes: number): number;
   _abflatArray(job: number, array: number, count: number): number;
   _abflatKeepUv(job: number): void;
@@ -29,14 +22,11 @@ export interface NativeModule {
   _abflatAddPin(job: number, vertex: number, u: number, v: number, face: number): void;
   _abflatFlatten(job: number, files: number, roundsForGltf: boolean): number;
   _abflatUnwrap(job: number, files: number, roundsForGltf: boolean): number;
-  _abflatPack(job: number, files: number, roundsForGltf: boolean): number;
   _abflatCompare(job: number): number;
   _abflatPinWeights(job: number): number;
   _abflatInspect(job: number): number;
   _abflatLoad(job: number): number;
   _abflatSample(job: number, detail: number): number;
-  _abflatResultData(job: number, field: number): number;
-  _abflatResultSize(job: number, field: number): number;
   _abflatMethodUvData(job: number, method: number): number;
   _abflatMethodUvSize(job: number, method: number): number;
   _abflatBuild(): number;

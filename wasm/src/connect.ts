@@ -1,14 +1,15 @@
-import type { Baker, BakerSettings } from './baker.js';
 import { buildOf } from './base/build-of.js';
-import { type Build, bestBuild, whyNoThreads } from './base/builds.js';
+import { type Build, bestBuild, type LateName, whyNoThreads } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
-import { STATUS_NAMES, WRITTEN_FORMATS } from './base/generated.js';
+import { STATUS_NAMES } from './base/generated.js';
 import { MAX_MEMORY } from './base/memory.js';
 import { startOnce } from './base/start-once.js';
+import { layoutCall } from './call-layout.js';
 import { Client } from './client.js';
+import { type LateClient, type LateSettings, lateClient } from './late-client.js';
 import { ownFields } from './messages/fields.js';
 import { takeArrays, takeFile, takeMesh } from './messages/input.js';
-import type { Description, LayoutRequest, Request } from './messages/protocol.js';
+import type { Description } from './messages/protocol.js';
 import {
   arraysOf,
   boundNumbers,
@@ -59,7 +60,7 @@ export async function connect(platform: Platform, given: CreateOptions = {}): Pr
   const options = knownOptions(given, KEYS.create);
   const { maxMemory = MAX_MEMORY, baseUrl, workerUrl } = options;
   checkMaxMemory(maxMemory);
-  for (const name of ['baseUrl', 'wasmUrl', 'bakeUrl', 'workerUrl'] as const)
+  for (const name of ['baseUrl', 'wasmUrl', 'packUrl', 'bakeUrl', 'workerUrl'] as const)
     checkAddress(name, options[name]);
   const start = (wanted: Pick<CreateOptions, 'build' | 'wasmUrl'>) =>
     startClient(platform, ownFields({ baseUrl, workerUrl, ...wanted, maxMemory }));
@@ -67,18 +68,24 @@ export async function connect(platform: Platform, given: CreateOptions = {}): Pr
   const { client, build } = await (isFree(options)
     ? start({ build: 'threads' }).catch(() => start({ build: 'simd' }))
     : start(options));
-  const baker = startOnce(() =>
-    loadBaker(platform, {
-      maxMemory,
-      moduleUrl: options.bakeUrl ?? fileIn(platform, baseUrl, wasmName('bake')),
-      workerUrl: workerUrl ?? fileIn(platform, baseUrl, platform.workerFile('bake')),
-    }),
-  );
+  const late = (name: LateName): LateSettings => ({
+    maxMemory,
+    moduleUrl: options[`${name}Url`] ?? fileIn(platform, baseUrl, wasmName(name)),
+    workerUrl: workerUrl ?? fileIn(platform, baseUrl, platform.workerFile(name)),
+  });
+  const baker = startOnce(async () => {
+    const { Baker } = await loaded(import('./baker.js'), 'bakes');
+    return new Baker(platform, late('bake'));
+  });
+  const packer = lateClient(platform, 'pack', late('pack'));
   return {
     build,
     flatten: async (mesh, settings = {}) => flatten(client, mesh, settings),
     unwrap: async (mesh, settings = {}) => unwrap(client, mesh, settings),
-    pack: async (mesh, settings = {}) => pack(client, mesh, settings),
+    pack: async (mesh, settings = {}) => {
+      client.checkUsable();
+      return pack(packer, mesh, settings);
+    },
     bake: async (mesh, layout, sources, settings = {}) => {
       client.checkUsable();
       return (await baker.get()).bake(mesh, layout, sources, settings);
@@ -90,7 +97,7 @@ export async function connect(platform: Platform, given: CreateOptions = {}): Pr
     sample: async (name, settings = {}) => sample(client, name, settings),
     terminate: () => {
       client.terminate();
-      baker.whenStarted((started) => started.terminate());
+      for (const { whenStarted } of [baker, packer]) whenStarted((started) => started.terminate());
     },
   };
 }
@@ -120,25 +127,25 @@ async function startClient(
   );
 }
 
+/** A part of the package that is loaded when it is first needed. `does`: what it does. */
+async function loaded<T>(part: Promise<T>, does: string): Promise<T> {
+  try {
+    return await part;
+  } catch (error) {
+    throw new AbflatError(
+      'UnreadableFile',
+      `Cannot load the part of abflat that ${does}: ${messageOf(error)}.`,
+      'module',
+    );
+  }
+}
+
 function fileIn(platform: Platform, folder: Address | undefined, name: string): string | undefined {
   if (!folder) return undefined;
   try {
     return platform.fileIn(folder, name);
   } catch (error) {
     throw new AbflatError('InvalidOption', `baseUrl is not a valid URL: ${messageOf(error)}.`);
-  }
-}
-
-async function loadBaker(platform: Platform, settings: BakerSettings): Promise<Baker> {
-  try {
-    const { Baker } = await import('./baker.js');
-    return new Baker(platform, settings);
-  } catch (error) {
-    throw new AbflatError(
-      'UnreadableFile',
-      `Cannot load the part of abflat that bakes: ${messageOf(error)}.`,
-      'module',
-    );
   }
 }
 
@@ -182,7 +189,9 @@ function flatten(client: Client, mesh: MeshInput, given: FlattenOptions): Promis
     straight: straightNumbers(options.straight),
     normalizes: normalize === true,
   } as const;
-  return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
+  client.checkUsable(options.signal);
+  const call = layoutCall(mesh, options, (common) => ({ ...common, ...settings }));
+  return client.call<FlattenResult>(call.request, call.settings);
 }
 
 function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<UnwrapResult> {
@@ -208,44 +217,19 @@ function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<
   } as const;
   const copies = [...arrays, ...Object.values(known?.arrays ?? {})];
   const buffers = copies.flatMap((copy) => (copy ? [copy.buffer as ArrayBuffer] : []));
-  return layout(client, mesh, options, (common) => ({ ...common, ...settings }), buffers);
+  client.checkUsable(options.signal);
+  const call = layoutCall(mesh, options, (common) => ({ ...common, ...settings }), buffers);
+  return client.call<UnwrapResult>(call.request, call.settings);
 }
 
-function pack(client: Client, mesh: MeshInput, given: PackOptions): Promise<PackResult> {
+/** The arguments are read at once, however long the module takes to load. */
+async function pack(packer: LateClient, mesh: MeshInput, given: PackOptions): Promise<PackResult> {
   const options = knownOptions(given, KEYS.pack);
   const settings = { kind: 'pack', values: packNumbers(options) } as const;
-  return layout(client, mesh, options, (common) => ({ ...common, ...settings }));
-}
-
-/**
- * The part that calls returning a layout share. `request` adds the rest of the request, whose
- * buffers are `buffers`.
- */
-function layout<T extends FlattenResult | UnwrapResult | PackResult>(
-  client: Client,
-  mesh: MeshInput,
-  options: FlattenOptions | UnwrapOptions | PackOptions,
-  request: (common: LayoutRequest) => Request,
-  buffers: ArrayBuffer[] = [],
-): Promise<T> {
-  const { roundsForGltf, transfer, signal, onProgress } = options;
-  for (const name of WRITTEN_FORMATS) checkBoolean(name, options[name]);
-  checkBoolean('roundsForGltf', roundsForGltf);
-  checkFunction('onProgress', onProgress);
-  checkSignal(signal);
-  client.checkUsable(signal);
-  const owned = takeMesh(mesh, transfer);
-  const common: LayoutRequest = {
-    mesh: owned.mesh,
-    files: WRITTEN_FORMATS.filter((name) => options[name]),
-    wantsProgress: onProgress !== undefined,
-    roundsForGltf: roundsForGltf === true,
-  };
-  return client.call<T>(request(common), {
-    transfer: [...owned.buffers, ...buffers],
-    signal,
-    onProgress,
-  });
+  const call = layoutCall(mesh, options, (common) => ({ ...common, ...settings }));
+  const client = await packer.get();
+  client.checkUsable(options.signal);
+  return client.call<PackResult>(call.request, call.settings);
 }
 
 function compare(client: Client, mesh: MeshInput, options: CompareOptions): Promise<Comparison> {

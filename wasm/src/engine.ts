@@ -8,27 +8,22 @@ import { RESULT_ARRAYS } from './base/generated-arrays.js';
 import type { Glues } from './glue.js';
 import { instantiate } from './instantiate.js';
 import { MeshHeap } from './mesh-heap.js';
+import { MeshRunner } from './mesh-runner.js';
 import type {
   Answer,
   Description,
   FlattenRequest,
-  LayoutRequest,
+  KnownArrays,
   OwnedMesh,
-  PackRequest,
   PinNumbers,
   Request,
   UnwrapRequest,
 } from './messages/protocol.js';
-import { Runner } from './runner.js';
 import type {
   Comparison,
   FlattenResult,
-  Layout,
-  LayoutTimings,
   LoadedMesh,
   MeshSummary,
-  PackReport,
-  PackResult,
   PinWeights,
   Report,
   TriangleMesh,
@@ -36,17 +31,7 @@ import type {
   UnwrapResult,
 } from './types/index.js';
 
-/** What differs between the calls that return a layout. */
-interface LayoutSteps<R, T> {
-  set(job: number, native: NativeModule): void;
-  run(job: number, files: number, roundsForGltf: boolean): number;
-  complete(layout: Layout<R>, job: number): T;
-}
-
-export class Engine extends Runner<NativeModule, MeshHeap> {
-  protected readonly task = 'mesh';
-  protected readonly advice = 'Use a mesh with fewer faces';
-
+export class Engine extends MeshRunner<NativeModule> {
   static async create(
     module: WebAssembly.Module,
     maxMemory: number,
@@ -72,8 +57,6 @@ export class Engine extends Runner<NativeModule, MeshHeap> {
         return this.#flatten(request);
       case 'unwrap':
         return this.#unwrap(request);
-      case 'pack':
-        return this.#pack(request);
       case 'compare':
         return this.withJob((job) => this.#compare(job, request.mesh));
       case 'inspect':
@@ -84,8 +67,9 @@ export class Engine extends Runner<NativeModule, MeshHeap> {
         return this.withJob((job) => this.#load(job, request.mesh));
       case 'sample':
         return this.withJob((job) => this.#sample(job, request.name, request.detail));
+      case 'pack':
       case 'bake':
-        throw new AbflatError('Internal', 'Images are baked by another module.');
+        throw new AbflatError('Internal', `Another module answers ${request.kind}.`);
     }
   }
 
@@ -102,9 +86,9 @@ export class Engine extends Runner<NativeModule, MeshHeap> {
 
   #flatten(request: FlattenRequest): FlattenResult {
     const { values, pins, bounds, straight, normalizes } = request;
-    return this.#withLayout<Report, FlattenResult>(request, {
+    return this.withLayout<Report, FlattenResult>(request, {
       set: (job, native) => {
-        this.#setOptions(job, values, native._abflatSetOption);
+        this.setOptions(job, values, native._abflatSetOption);
         this.#setPins(job, pins);
         for (let i = 0; i < bounds.length; i += 2)
           native._abflatAddBound(job, bounds[i] as number, bounds[i + 1] as number);
@@ -118,19 +102,19 @@ export class Engine extends Runner<NativeModule, MeshHeap> {
 
   #unwrap(request: UnwrapRequest): UnwrapResult {
     const { values, pins, seams, arrays, keepsUv, keepsValidOnly, keepsPlaces, known } = request;
-    return this.#withLayout<UnwrapReport, UnwrapResult>(request, {
+    return this.withLayout<UnwrapReport, UnwrapResult>(request, {
       set: (job, native) => {
-        this.#setOptions(job, values, native._abflatSetUnwrapOption);
+        this.setOptions(job, values, native._abflatSetUnwrapOption);
         this.#setPins(job, pins);
         if (seams !== undefined)
           this.heap.writeText(seams, (bytes) => native._abflatSeams(job, bytes));
         arrays.forEach((array, which) => {
-          if (array) this.heap.writeArray(job, which, array);
+          if (array) this.#writeArray(job, which, array);
         });
         if (keepsUv) native._abflatKeepUv(job);
         if (keepsValidOnly) native._abflatKeepsValidOnly(job);
         if (keepsPlaces) native._abflatKeepsPlaces(job);
-        if (known !== undefined) this.heap.writeKnown(job, known);
+        if (known !== undefined) this.#writeKnown(job, known);
       },
       run: this.native._abflatUnwrap,
       complete: (layout, job) => ({
@@ -142,52 +126,21 @@ export class Engine extends Runner<NativeModule, MeshHeap> {
     });
   }
 
-  #pack(request: PackRequest): PackResult {
-    return this.#withLayout<PackReport, PackResult>(request, {
-      set: (job, native) => this.#setOptions(job, request.values, native._abflatSetPackOption),
-      run: this.native._abflatPack,
-      complete: (layout, job) => ({
-        ...layout,
-        islandOfTriangle: this.heap.read(job, 'chartOfTriangle'),
-        faults: this.heap.read(job, 'faults'),
-      }),
-    });
+  #writeKnown(job: number, { t, balance, straightSeams, arrays }: KnownArrays): void {
+    const { heap, native } = this;
+    const entries = Object.entries(arrays);
+    heap.checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
+    for (const [name, array] of entries) {
+      const { field } = RESULT_ARRAYS[name as keyof typeof arrays];
+      heap.writeArray(native._abflatKnown(job, field, array.length), array);
+    }
+    native._abflatKnownOptions(job, t, balance, straightSeams);
   }
 
-  #withLayout<R extends { timings: LayoutTimings }, T extends Layout<R>>(
-    { mesh, files, roundsForGltf }: LayoutRequest,
-    { set, run, complete }: LayoutSteps<R, T>,
-  ): T {
-    const started = performance.now();
-    return this.withJob((job) => {
-      this.heap.writeMesh(job, mesh);
-      const written = performance.now();
-      set(job, this.native);
-      const wanted = files.reduce((bits, name) => bits | (1 << RESULT_ARRAYS[name].field), 0);
-      this.check(job, run(job, wanted, roundsForGltf));
-      const finished = performance.now();
-      const layout: Layout<R> = {
-        uv: this.heap.read(job, 'uv'),
-        indices: this.heap.read(job, 'indices'),
-        vertexMap: this.heap.read(job, 'vertexMap'),
-        report: JSON.parse(this.heap.readText(job)) as R,
-      };
-      if ('bytes' in mesh) layout.positions = this.heap.read(job, 'positions');
-      for (const name of files) layout[name] = this.heap.read(job, name);
-      const result = complete(layout, job);
-      const { timings } = result.report;
-      const now = performance.now();
-      timings.read += (written - started) / 1000;
-      timings.write += (now - finished) / 1000;
-      timings.total = (now - started) / 1000;
-      return result;
-    });
-  }
-
-  #setOptions(job: number, values: number[], set: NativeModule['_abflatSetOption']): void {
-    values.forEach((value, index) => {
-      this.check(job, set(job, index, value));
-    });
+  /** `which`: its place in UNWRAP_ARRAYS. */
+  #writeArray(job: number, which: number, array: Uint32Array | Float64Array): void {
+    this.heap.checkBytes(array.byteLength);
+    this.heap.writeArray(this.native._abflatArray(job, which, array.length), array);
   }
 
   #setPins(job: number, pins: PinNumbers[]): void {
@@ -248,9 +201,5 @@ export class Engine extends Runner<NativeModule, MeshHeap> {
       positions: this.heap.read(job, 'positions'),
       indices: this.heap.read(job, 'indices'),
     };
-  }
-
-  protected readText(job: number): string {
-    return this.heap.readText(job);
   }
 }

@@ -1,9 +1,9 @@
 // Meshes in the memory of the module, and the results that it has of them.
 
-import type { NativeModule } from './abflat.js';
 import { RESULT_ARRAYS } from './base/generated-arrays.js';
 import { Heap } from './heap.js';
-import type { KnownArrays, OwnedMesh } from './messages/protocol.js';
+import type { InputModule } from './input-module.js';
+import type { OwnedMesh } from './messages/protocol.js';
 
 export type ResultName = keyof typeof RESULT_ARRAYS;
 export type ResultArray<Name extends ResultName> = InstanceType<
@@ -11,9 +11,9 @@ export type ResultArray<Name extends ResultName> = InstanceType<
 >;
 
 export class MeshHeap extends Heap {
-  readonly #native: NativeModule;
+  readonly #native: InputModule;
 
-  constructor(native: NativeModule, memory: WebAssembly.Memory, maxBytes: number) {
+  constructor(native: InputModule, memory: WebAssembly.Memory, maxBytes: number) {
     super(memory, maxBytes);
     this.#native = native;
   }
@@ -48,26 +48,6 @@ export class MeshHeap extends Heap {
     mesh.materials = undefined;
   }
 
-  writeKnown(job: number, { t, balance, straightSeams, arrays }: KnownArrays): void {
-    const entries = Object.entries(arrays);
-    this.checkBytes(entries.reduce((sum, [, array]) => sum + array.byteLength, 0));
-    for (const [name, array] of entries) {
-      const start = this.#native._abflatKnown(
-        job,
-        RESULT_ARRAYS[name as keyof typeof arrays].field,
-        array.length,
-      );
-      this.#write(start, array);
-    }
-    this.#native._abflatKnownOptions(job, t, balance, straightSeams);
-  }
-
-  /** `which`: its place in UNWRAP_ARRAYS. */
-  writeArray(job: number, which: number, array: Uint32Array | Float64Array): void {
-    this.checkBytes(array.byteLength);
-    this.#write(this.#native._abflatArray(job, which, array.length), array);
-  }
-
   writeName(job: number, name: string): void {
     this.writeText(name, (bytes) => this.#native._abflatName(job, bytes));
   }
@@ -78,7 +58,7 @@ export class MeshHeap extends Heap {
     this.writeBytes(room(bytes.length), bytes);
   }
 
-  #write(address: number, array: Uint32Array | Float64Array): void {
+  writeArray(address: number, array: Uint32Array | Float64Array): void {
     if (array instanceof Float64Array) this.writeReals(address, array);
     else this.writeNumbers(address, array);
   }

@@ -105,6 +105,8 @@ function openOwnWorker(name: ModuleName): Worker {
       return new Worker(new URL('./worker-simd.js', import.meta.url), { type: 'module' });
     case 'threads':
       return new Worker(new URL('./worker-threads.js', import.meta.url), { type: 'module' });
+    case 'pack':
+      return new Worker(new URL('./worker-pack.js', import.meta.url), { type: 'module' });
     case 'bake':
       return new Worker(new URL('./worker-bake.js', import.meta.url), { type: 'module' });
   }

@@ -8,7 +8,7 @@ import type { Hooks } from './instantiate.js';
 import type { Answer, AnyProgress, Request } from './messages/protocol.js';
 
 /** What every module has. */
-interface Jobs {
+export interface Jobs {
   _abflatNewJob(): number;
   _abflatFreeJob(job: number): void;
 }

@@ -18,6 +18,8 @@ export function wasmFile(name: ModuleName): URL {
       return new URL('./abflat-simd.wasm', import.meta.url);
     case 'threads':
       return new URL('./abflat-threads.wasm', import.meta.url);
+    case 'pack':
+      return new URL('./abflat-pack.wasm', import.meta.url);
     case 'bake':
       return new URL('./abflat-bake.wasm', import.meta.url);
   }

@@ -1,7 +1,7 @@
 // Not in builds.ts: types that callers see must not mention WebAssembly, which only some libraries
 // declare.
 
-import { BUILDS, type Build } from './builds.js';
+import { BUILDS, type Build, type ModuleName } from './builds.js';
 import { AbflatError } from './errors.js';
 
 /** The name in a custom section of the module, which wasm/build.mjs adds. */
@@ -10,7 +10,7 @@ function labelOf(module: WebAssembly.Module): string | undefined {
   return section && new TextDecoder().decode(section);
 }
 
-export const isBake = (module: WebAssembly.Module) => labelOf(module) === 'bake';
+export const isModule = (module: WebAssembly.Module, name: ModuleName) => labelOf(module) === name;
 
 /** The build of the main module. */
 export function buildOf(module: WebAssembly.Module): Build {

@@ -6,8 +6,11 @@
  */
 export type Build = 'plain' | 'simd' | 'threads';
 
-/** A module of the package: a build of the main one, or the one that bakes. */
-export type ModuleName = Build | 'bake';
+/** What few pages need is in modules of their own: one packs layouts that are there, one bakes. */
+export type LateName = 'pack' | 'bake';
+
+/** A module of the package: a build of the main one, or one of the others. */
+export type ModuleName = Build | LateName;
 
 export const BUILDS: readonly Build[] = ['plain', 'simd', 'threads'];
 

@@ -23,7 +23,7 @@ import type { KnownArrays, PinNumbers } from './protocol.js';
 const OF_CALL = ['signal', 'transfer'];
 const OF_LAYOUT = ['onProgress', ...WRITTEN_FORMATS, 'roundsForGltf', ...OF_CALL];
 export const KEYS = {
-  create: ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'bakeUrl', 'workerUrl'],
+  create: ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'packUrl', 'bakeUrl', 'workerUrl'],
   flatten: [
     ...Object.keys(FLATTEN_OPTIONS),
     'bounds',

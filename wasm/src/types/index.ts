@@ -87,6 +87,11 @@ export interface CreateOptions {
    */
   wasmUrl?: string | UrlLike;
   /**
+   * Location of abflat-pack.wasm, which `pack` loads, if it is not beside the module or at `baseUrl`;
+   * in Node a path works too.
+   */
+  packUrl?: string | UrlLike;
+  /**
    * Location of abflat-bake.wasm, which `bake` loads, if it is not beside the module or at `baseUrl`;
    * in Node a path works too.
    */

@@ -1,5 +1,5 @@
-// The functions that JavaScript calls. Sizes are in elements unless said otherwise; pointers are
-// valid until the job is freed or the next call that takes it.
+// The functions that JavaScript calls of the main module, besides those of input_api.cpp, where
+// sizes and pointers are explained.
 
 #include <emscripten/emscripten.h>
 
@@ -15,25 +15,13 @@
 using abflat::Precision;
 using abflat::StatusCode;
 using abflat::bindings::Field;
+using abflat::bindings::finish;
 using abflat::bindings::Job;
 using abflat::bindings::kFirstFile;
 using abflat::bindings::tellProgress;
 using abflat::bindings::UnwrapArray;
 
 namespace {
-
-/// Stores the message where JavaScript looks for it.
-int finish(Job& job, const abflat::Status& status) {
-  if (!status.ok()) job.text = status.message;
-  return static_cast<int>(status.code);
-}
-
-template <class Options>
-int setNumber(Job& job, Options& options, int index, double value) {
-  if (setOption(options, index, value)) return 0;
-  return finish(
-      job, {StatusCode::InvalidOption, "option " + std::to_string(index) + " is out of its range"});
-}
 
 template <class T>
 void* resized(std::vector<T>& numbers, std::size_t size) {
@@ -58,54 +46,6 @@ EMSCRIPTEN_KEEPALIVE Job* abflatNewJob() {
 
 EMSCRIPTEN_KEEPALIVE void abflatFreeJob(Job* job) { delete job; }
 
-/// Buffer for the name of the input (UTF-8), `size` bytes.
-EMSCRIPTEN_KEEPALIVE char* abflatName(Job* job, std::size_t size) {
-  job->name.resize(size);
-  return job->name.data();
-}
-
-/// Buffer for the content of a file, `size` bytes.
-EMSCRIPTEN_KEEPALIVE char* abflatSource(Job* job, std::size_t size) {
-  job->isFile = true;
-  job->source.resize(size);
-  return job->source.data();
-}
-
-/// Buffer for the positions of a mesh given as arrays, `size` coordinates.
-EMSCRIPTEN_KEEPALIVE double* abflatPositions(Job* job, std::size_t size) {
-  job->mesh.positions.resize(size);
-  return job->mesh.positions.data();
-}
-
-/// Buffer for the triangles of a mesh given as arrays, `size` vertex numbers.
-EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIndices(Job* job, std::size_t size) {
-  job->mesh =
-      abflat::makeTriangleMesh(std::move(job->mesh.positions), std::vector<std::uint32_t>(size));
-  return job->mesh.faceVertices.data();
-}
-
-/// Buffer for the texcoords of a mesh given as arrays, two per vertex. To be called after its
-/// triangles.
-EMSCRIPTEN_KEEPALIVE double* abflatTexcoords(Job* job, std::size_t size) {
-  job->mesh.texcoords.resize(size);
-  return job->mesh.texcoords.data();
-}
-
-/// Buffer for the normals of a mesh given as arrays, three per vertex or per corner of a triangle.
-/// To be called after its triangles.
-EMSCRIPTEN_KEEPALIVE double* abflatNormals(Job* job, std::size_t size, bool areOfCorners) {
-  job->mesh.normals.resize(size);
-  job->hasCornerNormals = areOfCorners;
-  return job->mesh.normals.data();
-}
-
-/// Buffer for the materials of a mesh given as arrays, one per triangle. To be called after its
-/// triangles.
-EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatMaterials(Job* job, std::size_t size) {
-  job->mesh.faceMaterials.resize(size);
-  return job->mesh.faceMaterials.data();
-}
-
 /// Sets flattening option number `index`, in the order of FLATTEN_OPTIONS, to a number.
 EMSCRIPTEN_KEEPALIVE int abflatSetOption(Job* job, int index, double value) {
   return setNumber(*job, job->options, index, value);
@@ -114,11 +54,6 @@ EMSCRIPTEN_KEEPALIVE int abflatSetOption(Job* job, int index, double value) {
 /// The same for unwrapping, in the order of UNWRAP_OPTIONS.
 EMSCRIPTEN_KEEPALIVE int abflatSetUnwrapOption(Job* job, int index, double value) {
   return setNumber(*job, job->unwrapOptions, index, value);
-}
-
-/// The same for packing a layout, in the order of PACK_OPTIONS.
-EMSCRIPTEN_KEEPALIVE int abflatSetPackOption(Job* job, int index, double value) {
-  return setNumber(*job, job->packOptions, index, value);
 }
 
 /// Buffer for the seam sources, as text for parseSeams, `size` bytes.
@@ -191,12 +126,6 @@ EMSCRIPTEN_KEEPALIVE int abflatUnwrap(Job* job, unsigned files, bool roundsForGl
   return finish(*job, unwrapJob(*job, files >> kFirstFile, tellProgress));
 }
 
-/// The same for packing the layout that the mesh has.
-EMSCRIPTEN_KEEPALIVE int abflatPack(Job* job, unsigned files, bool roundsForGltf) {
-  job->packOptions.precision = roundsForGltf ? Precision::Gltf : Precision::Double;
-  return finish(*job, packJob(*job, files >> kFirstFile, tellProgress));
-}
-
 EMSCRIPTEN_KEEPALIVE int abflatCompare(Job* job) {
   return finish(*job, compareJob(*job, tellProgress));
 }
@@ -210,15 +139,6 @@ EMSCRIPTEN_KEEPALIVE int abflatLoad(Job* job) { return finish(*job, loadJob(*job
 
 EMSCRIPTEN_KEEPALIVE int abflatSample(Job* job, double detail) {
   return finish(*job, sampleJob(*job, detail));
-}
-
-EMSCRIPTEN_KEEPALIVE const void* abflatResultData(const Job* job, int field) {
-  return resultOf(*job, static_cast<Field>(field)).data;
-}
-
-/// Size in bytes.
-EMSCRIPTEN_KEEPALIVE std::size_t abflatResultSize(const Job* job, int field) {
-  return resultOf(*job, static_cast<Field>(field)).size;
 }
 
 /// The layout by method number `method` of a comparison.

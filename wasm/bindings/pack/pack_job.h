@@ -1,0 +1,17 @@
+#pragma once
+
+#include "abflat/pack_layout.h"
+#include "layout_job.h"
+
+namespace abflat::bindings {
+
+/// One call of the module that packs layouts.
+struct Job : InputJob {
+  PackLayoutOptions packOptions;
+};
+
+/// Fills everything that resultOf() returns for the layout that the mesh has, packed, and rounded
+/// as the options and choosePrecision() say. What is known of the charts is that of the islands.
+Status packJob(Job& job, WantedFiles wanted, const ProgressCallback& progress);
+
+}  // namespace abflat::bindings

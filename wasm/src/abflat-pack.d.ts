@@ -1,0 +1,13 @@
+// The module for packing that Emscripten writes; see wasm/bindings/pack/api.cpp for the functions.
+
+import type { NativeSettings } from './glue.js';
+import type { InputModule } from './input-module.js';
+
+export interface PackModule extends InputModule {
+  _abflatNewJob(): number;
+  _abflatFreeJob(job: number): void;
+  _abflatSetPackOption(job: number, index: number, value: number): number;
+  _abflatPack(job: number, files: number, roundsForGltf: boolean): number;
+}
+
+export default function createPackModule(settings: NativeSettings): Promise<PackModule>;

@@ -1,0 +1,38 @@
+import { WRITTEN_FORMATS } from './base/generated.js';
+import type { CallSettings } from './client.js';
+import { takeMesh } from './messages/input.js';
+import type { LayoutRequest, Request } from './messages/protocol.js';
+import { checkBoolean, checkFunction, checkSignal } from './messages/validate.js';
+import type { FlattenOptions, MeshInput, PackOptions, UnwrapOptions } from './types/index.js';
+
+/** A call that returns a layout: what it asks, and how it is to be made. */
+export interface LayoutCall {
+  request: Request;
+  settings: CallSettings;
+}
+
+/**
+ * Takes what the caller gave. `complete` adds the rest of the request, whose buffers are `buffers`.
+ */
+export function layoutCall(
+  mesh: MeshInput,
+  options: FlattenOptions | UnwrapOptions | PackOptions,
+  complete: (common: LayoutRequest) => Request,
+  buffers: ArrayBuffer[] = [],
+): LayoutCall {
+  const { roundsForGltf, transfer, signal, onProgress } = options;
+  for (const name of WRITTEN_FORMATS) checkBoolean(name, options[name]);
+  checkBoolean('roundsForGltf', roundsForGltf);
+  checkFunction('onProgress', onProgress);
+  checkSignal(signal);
+  if (signal?.aborted) throw signal.reason;
+  const owned = takeMesh(mesh, transfer);
+  const common: LayoutRequest = {
+    mesh: owned.mesh,
+    files: WRITTEN_FORMATS.filter((name) => options[name]),
+    wantsProgress: onProgress !== undefined,
+    roundsForGltf: roundsForGltf === true,
+  };
+  const settings = { transfer: [...owned.buffers, ...buffers], signal, onProgress };
+  return { request: complete(common), settings };
+}

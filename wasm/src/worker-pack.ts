@@ -1,0 +1,6 @@
+// Entry of the Web Worker that packs layouts.
+
+import { serveWeb } from './serve-web.js';
+import { startPack } from './start-pack.js';
+
+serveWeb(startPack);
