@@ -4,7 +4,6 @@
 export const LATER = [
   'appearance',
   'arranging',
-  'export-mesh',
   'gltf-file',
   'help-groups',
   'make-surface',
@@ -12,6 +11,7 @@ export const LATER = [
   'new-glb',
   'own-image',
   'plots',
+  'saving-parts',
   'seam-painter',
   'solid',
   'writing',

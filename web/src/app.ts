@@ -10,7 +10,7 @@ import { plots } from './details/late-chart';
 import { methodTables } from './details/methods-tab';
 import type { Remedy } from './details/remedy';
 import { verdictOf } from './details/verdict';
-import { exportMeshes } from './export/exporter';
+import { savingParts } from './export/exporter';
 import { HandTools } from './hand-tools';
 import { HelpSheet, helpParts } from './help/help-sheet';
 import { LaterParts } from './later-parts';
@@ -74,7 +74,7 @@ export class App implements SessionEvents {
     plots,
     methodTables,
     helpParts,
-    exportMeshes,
+    savingParts,
     ownImages,
   ]);
   /** What the button beside the last run does. */

@@ -1,0 +1,4 @@
+// What saves files.
+
+export { savePictureOf } from './atlas-pictures';
+export { exportMesh } from './export-mesh';
