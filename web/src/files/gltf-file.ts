@@ -18,7 +18,7 @@ export function readCompressed(chosen: ChosenGltf): Promise<GltfFile> {
 }
 
 /** Problems that glTF-Transform does not check for end in plain JavaScript errors. */
-async function orDamaged<T>(name: string, read: () => Promise<T>): Promise<T> {
+export async function orDamaged<T>(name: string, read: () => Promise<T>): Promise<T> {
   try {
     return await read();
   } catch (error) {

@@ -38,6 +38,7 @@ import type { bake } from './baking';
 // All but drawing is not part of the first load. What is loaded keeps the order of requests.
 const gltfFile = startOnce(() => loadInWorker(import('../files/gltf-file')));
 const newGlbFile = startOnce(() => loadInWorker(import('../files/new-glb')));
+const joinedGltf = startOnce(() => loadInWorker(import('../files/joined-gltf')));
 const appearanceFile = startOnce(() => loadInWorker(import('../files/appearance')));
 const arranging = startOnce(() => loadInWorker(import('./arranging')));
 const baking = startOnce(() => loadInWorker(import('./baking')));
@@ -180,6 +181,8 @@ const tasks = {
     const { joined } = await writing();
     return handedOver(joined(mesh));
   },
+
+  joinedGlb: async (files: GltfFiles[]): Promise<Blob> => (await joinedGltf()).joinedGlb(files),
 
   joinedObj: async (meshes: NamedMesh[]): Promise<Blob> => {
     const { joinedObj } = await writing();
