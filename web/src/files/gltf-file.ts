@@ -77,10 +77,10 @@ function contentOf(name: string, document: Document, texcoord: number): Omit<Glt
   };
 }
 
-function texcoordSets(primitives: Primitive[]): number {
-  let sets = 0;
-  for (const primitive of primitives) while (primitive.getAttribute(`TEXCOORD_${sets}`)) ++sets;
-  return sets;
+function texcoordSets(primitives: Primitive[]): number[] {
+  const names = primitives.flatMap((primitive) => primitive.listSemantics());
+  const sets = names.flatMap((name) => /^TEXCOORD_(\d+)$/.exec(name)?.[1] ?? []);
+  return [...new Set(sets.map(Number))].sort((a, b) => a - b);
 }
 
 /** Not those of extensions, which keep their layout. */

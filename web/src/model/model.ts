@@ -56,8 +56,8 @@ export interface GltfFile {
   mesh: ArrayMesh;
   /** The first texcoord set that no texture depends on: 0 if no texture uses that set. */
   freeTexcoord: number;
-  /** How many texcoord sets it has. */
-  texcoordSets: number;
+  /** The texcoord sets that it has, in ascending order. */
+  texcoordSets: number[];
   /** The sets that textures use. */
   paintedSets: number[];
   /** Whether its materials have textures that can follow a new layout. */

@@ -1,6 +1,6 @@
 // What is said once a file is exported or saved; loaded with what does that.
 
-import { count } from './format';
+import { count, listed } from './format';
 
 /** `format` in capitals; `set`: a texcoord set of a glTF, by the name that its choice gives it. */
 export const EXPORTED = {
@@ -14,6 +14,9 @@ export const EXPORTED = {
   replacedPainted: (set: number) => `New UVs replaced UV\u00a0${set}, which textures use`,
   added: (set: number) => `New UVs are UV\u00a0${set}`,
   addedToPainted: (set: number) => `New UVs are UV\u00a0${set}; textures keep theirs`,
+  /** glTF has no set without those before it. */
+  filled: (sets: number[]) =>
+    `UV\u00a0${listed(sets.map(String))} ${sets.length > 1 ? 'are' : 'is'} the same, since glTF numbers sets without gaps`,
   cameOutDifferently: 'This run gave a different layout. Unwrap again, then export.',
 };
 
