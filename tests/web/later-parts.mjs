@@ -9,6 +9,8 @@ export const LATER = [
   'make-surface',
   'method-table',
   'new-glb',
+  'obj-parts',
+  'objects-tab',
   'own-image',
   'plots',
   'saving-parts',

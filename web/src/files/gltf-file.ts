@@ -5,6 +5,7 @@ import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords } from 'abfl
 import type { ChosenGltf, GltfFile, GltfFiles, LayoutArrays } from '../model/model';
 import { GLTF } from '../words/gltf';
 import { compressionsOf, decompressed } from './compression';
+import { namedParts } from './gltf-parts';
 import { glbOf, gltfIo, openGltf } from './gltf-source';
 
 /** Null for a compressed file, which `readCompressed` reads. */
@@ -72,6 +73,7 @@ function contentOf(name: string, document: Document, texcoord: number): Omit<Glt
     notes,
     texcoordSets: texcoordSets(primitives),
     paintedSets: sampledTexcoords(primitives),
+    parts: namedParts(document, mesh.parts),
     hasMaps: primitives.some((each) => hasMaps(each.getMaterial())),
     compressions: [],
   };

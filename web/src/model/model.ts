@@ -13,6 +13,7 @@ import type {
 import { meshFileOf } from '../base/mesh-files';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from './drawing';
+import type { NamedParts } from './named-parts';
 import type { FlattenSettings, PackSettings, UnwrapSettings } from './settings';
 import type { Stack, Stacks } from './stacks';
 
@@ -62,6 +63,8 @@ export interface GltfFile {
   paintedSets: number[];
   /** Whether its materials have textures that can follow a new layout. */
   hasMaps: boolean;
+  /** Objects and materials. */
+  parts: NamedParts;
   files: GltfFiles;
   /** What to know about how it was read, one sentence each. */
   notes: string[];
