@@ -5,6 +5,7 @@ import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords } from 'abfl
 import type { ChosenGltf, GltfFile, GltfFiles, LayoutArrays } from '../model/model';
 import { GLTF } from '../words/gltf';
 import { compressionsOf, decompressed } from './compression';
+import { contentsOf } from './gltf-contents';
 import { namedParts } from './gltf-parts';
 import { glbOf, gltfIo, openGltf } from './gltf-source';
 
@@ -74,6 +75,7 @@ function contentOf(name: string, document: Document, texcoord: number): Omit<Glt
     texcoordSets: texcoordSets(primitives),
     paintedSets: sampledTexcoords(primitives),
     parts: namedParts(document, mesh.parts),
+    holds: contentsOf(document),
     hasMaps: primitives.some((each) => hasMaps(each.getMaterial())),
     compressions: [],
   };

@@ -53,6 +53,9 @@ export interface ChosenGltf extends GltfFiles {
   texcoord: number;
 }
 
+/** What a glTF has besides its shape and its texcoords. */
+export type GltfContent = 'materials' | 'skins' | 'morphTargets' | 'animations' | 'names';
+
 export interface GltfFile {
   mesh: ArrayMesh;
   /** The first texcoord set that no texture depends on: 0 if no texture uses that set. */
@@ -65,6 +68,8 @@ export interface GltfFile {
   hasMaps: boolean;
   /** Objects and materials. */
   parts: NamedParts;
+  /** What it has that other formats would lose. */
+  holds: GltfContent[];
   files: GltfFiles;
   /** What to know about how it was read, one sentence each. */
   notes: string[];
