@@ -14,6 +14,7 @@ import {
   primitivesOf,
 } from '../support/gltf.mjs';
 import { parsePly, plyToObj } from '../support/ply.mjs';
+import { richGltf } from '../support/rich-gltf.mjs';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
 import {
@@ -29,7 +30,12 @@ import {
 
 const BALL = ['ball.obj', objText(sphere(8))];
 
-const focused = (page) => page.evaluate(() => document.activeElement.textContent.trim());
+/** Without what a format loses. */
+const focused = (page) =>
+  page.evaluate(() => {
+    const { firstChild, textContent } = document.activeElement;
+    return (firstChild?.nodeType === Node.TEXT_NODE ? firstChild : { textContent }).textContent;
+  });
 
 const READERS = {
   obj: async (bytes) => complaints(bytes.toString()),
@@ -96,6 +102,31 @@ test('all formats have the coordinates that are on screen', async (t) => {
   ];
   const corners = ({ texcoords, faces }) => faces.flat().map(([, i]) => texcoords[i]);
   assert.deepEqual(corners(parseObj(plyToObj(parsePly(ply)))), corners(parseObj(obj.toString())));
+});
+
+test('the menu says what a file loses in another format', async (t) => {
+  const page = await openPage(t);
+  const limits = async () => {
+    await page.click('#export-formats');
+    const items = page.locator('#export-menu > [role=menuitemradio]');
+    const texts = await items.evaluateAll((all) =>
+      all.map((item) => item.querySelector('small')?.innerText ?? ''),
+    );
+    await page.keyboard.press('Escape');
+    return texts;
+  };
+  assert.deepEqual(await limits(), ['', '', ''], 'a sample has only a shape');
+  await dropAndWait(page, 'rich.glb', richGltf().glb());
+  const lost = 'loses materials, names, skins, morph targets and animations';
+  assert.deepEqual(await limits(), [lost, lost, '']);
+  const document = emptyDocument();
+  addMesh(document, '', primitiveOf(document, sphere(4)));
+  await dropAndWait(page, 'plain.glb', await io.writeBinary(document));
+  assert.deepEqual(await limits(), ['shape and UVs only', 'shape and UVs only', '']);
+  await dropAndWait(page, ...BALL);
+  assert.deepEqual(await limits(), ['', 'shape and UVs only', 'shape and UVs only']);
+  await openSample(page, 'hemisphere');
+  assert.deepEqual(await limits(), ['', '', '']);
 });
 
 test('the menu works by keyboard', async (t) => {

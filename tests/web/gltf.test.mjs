@@ -149,7 +149,7 @@ test('uv that textures use stay as they are unless the user wants them replaced'
   for (const material of document.getRoot().listMaterials()) material.setBaseColorTexture(null);
   await dropAndWait(page, 'untextured.glb', await io.writeBinary(document));
   const sets = () => page.locator('#texcoord option').allInnerTexts();
-  assert.deepEqual(await sets(), ['UV 1, new', 'UV 0, replaced']);
+  assert.deepEqual((await sets()).slice(0, 2), ['UV 0, replaced', 'UV 1, new']);
   assert.equal(await page.inputValue('#texcoord'), '0', 'no texture needs the old ones');
   assert.deepEqual(flaws(atlasOf(primitivesOf((await exported(page)).document))), []);
   assert.match(await textOf(page, '#run-text'), /^Exported .*\. New UVs replaced UV\s0$/);
@@ -160,18 +160,28 @@ test('each texcoord set of a glTF can be replaced, and a new one added', async (
   let document = scene(1);
   for (const material of document.getRoot().listMaterials()) material.setBaseColorTexture(null);
   await dropAndWait(page, 'none.glb', await io.writeBinary(document));
-  assert.ok(await page.isHidden('#texcoord'), 'there is nothing to choose');
+  const sets = Array.from({ length: 8 }, (_, set) => `UV ${set}`);
+  const offered = () => page.locator('#texcoord option').allInnerTexts();
+  assert.deepEqual(
+    await offered(),
+    sets.map((name) => `${name}, new`),
+  );
   document = (await exported(page)).document;
+  assert.doesNotMatch(await textOf(page, '#run-text'), /New UVs/, 'the only ones');
   for (const [set, replaced, said] of [
-    [1, ['UV 0'], 'New UVs are UV\u00a01'],
-    [2, ['UV 0', 'UV 1'], 'New UVs are UV\u00a02'],
-    [1, ['UV 0', 'UV 1', 'UV 2'], 'New UVs replaced UV\u00a01'],
+    [1, 1, 'New UVs are UV\u00a01'],
+    [2, 2, 'New UVs are UV\u00a02'],
+    [1, 3, 'New UVs replaced UV\u00a01'],
+    [
+      6,
+      3,
+      'New UVs are UV\u00a06. UV\u00a03, 4 and 5 are the same, since glTF numbers sets without gaps',
+    ],
   ]) {
-    await dropAndWait(page, `${replaced.length}.glb`, await io.writeBinary(document));
-    const [, ...others] = await page.locator('#texcoord option').allInnerTexts();
+    await dropAndWait(page, `${replaced}-${set}.glb`, await io.writeBinary(document));
     assert.deepEqual(
-      others,
-      replaced.map((name) => `${name}, replaced`),
+      await offered(),
+      sets.map((name, i) => `${name}, ${i < replaced ? 'replaced' : 'new'}`),
     );
     await page.selectOption('#texcoord', String(set));
     const { document: written } = await exported(page);
@@ -180,6 +190,9 @@ test('each texcoord set of a glTF can be replaced, and a new one added', async (
     assert.ok((await textOf(page, '#run-text')).endsWith(said));
     document = written;
   }
+  await dropAndWait(page, 'all.glb', await io.writeBinary(document));
+  const read = await page.locator('#read-texcoord option').allInnerTexts();
+  assert.deepEqual(read, sets.slice(0, 7), 'each that it has can be read');
 });
 
 test('UV islands are those of the texcoord set that is chosen, after a reload, too', async (t) => {

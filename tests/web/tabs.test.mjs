@@ -113,7 +113,7 @@ test('a mesh that cannot be read leaves the tab that is shown', async (t) => {
   assert.equal(await textOf(page, '#source'), 'one.obj');
 });
 
-test('meshes of any format share one atlas, and the export has an object for each', async (t) => {
+test('meshes of different formats share one atlas, and the export has an object for each', async (t) => {
   const document = emptyDocument();
   addMesh(document, 'ball', primitiveOf(document, sphere(5)));
   const page = await openPage(t);

@@ -10,7 +10,7 @@ import { plots } from './details/late-chart';
 import { methodTables } from './details/methods-tab';
 import type { Remedy } from './details/remedy';
 import { verdictOf } from './details/verdict';
-import { exportMeshes } from './export/exporter';
+import { savingParts } from './export/exporter';
 import { HandTools } from './hand-tools';
 import { HelpSheet, helpParts } from './help/help-sheet';
 import { LaterParts } from './later-parts';
@@ -27,7 +27,7 @@ import {
 } from './model/model';
 import { isByHand, type Settings } from './model/settings';
 import { FIRST_SAMPLE } from './opening/open-mesh';
-import { ResultPanels } from './result-panels';
+import { objectsTab, ResultPanels } from './result-panels';
 import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
 import { type Left, LeftMeshes } from './session/left-meshes';
@@ -74,7 +74,8 @@ export class App implements SessionEvents {
     plots,
     methodTables,
     helpParts,
-    exportMeshes,
+    savingParts,
+    objectsTab,
     ownImages,
   ]);
   /** What the button beside the last run does. */
@@ -97,7 +98,7 @@ export class App implements SessionEvents {
     this.session = new Session(abflat, this, () => this.controls.settings, this.workshop);
     this.result = new ResultPanels(this.session, this.workshop, this.controls, views, {
       help: (remedy) => this.remedy(remedy),
-      chosen: (chart) => this.tools?.pick(chart),
+      selection: () => this.tools?.selection,
       locked: (what) => this.locked(what),
       say: this.say,
     });
@@ -112,7 +113,7 @@ export class App implements SessionEvents {
       views &&
       new HandTools(views, this.workshop, this.session, this.controls, {
         isFree: () => this.seams.isIdle,
-        selected: (charts) => this.result.showSelected(charts),
+        selected: (states) => this.result.showStates(states),
         pinned: (what) => this.marked(what),
         notPlaced: (why) => {
           if (!this.session.isBusy) this.finish(why || MOVING.nothingMoved, false);

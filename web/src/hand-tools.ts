@@ -2,6 +2,7 @@ import type { ChartMesh } from './arrange/chart-mesh';
 import { showAlert } from './base/alert';
 import type { LayoutControls } from './layout-controls';
 import type { Outcome } from './model/model';
+import type { SelectionPanel } from './selection/selection-panel';
 import type { Session } from './session/session';
 import { Arranging, type ArrangingEvents } from './tools/arranging';
 import { BoundPainting } from './tools/bound-painting';
@@ -74,9 +75,8 @@ export class HandTools {
     this.painting.update();
   }
 
-  /** Selects one chart instead of the others. */
-  pick(chart: number): void {
-    this.arranging.pick(chart);
+  get selection(): SelectionPanel {
+    return this.arranging.selection;
   }
 
   /** How a chart follows a pin. */

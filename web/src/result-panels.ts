@@ -1,31 +1,35 @@
 import type { Comparison, MethodResult } from 'abflat';
 import { element } from './base/dom';
+import { loadPart, reasonOf } from './base/load-part';
 import { ChartsTab, type ChartsTabEvents } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
 import { Details, type Tab } from './details/details';
 import { IslandsTab } from './details/islands-tab';
 import { MethodsTab } from './details/methods-tab';
 import { type MetricsEvents, MetricsPanel } from './details/metrics';
+import type { ObjectsTab } from './details/objects-tab';
 import { SolverTab } from './details/solver-tab';
 import { SweepTab } from './details/sweep-tab';
 import type { LayoutControls } from './layout-controls';
 import type { FlatDrawing } from './model/drawing';
 import { foundChart } from './model/found-chart';
-import type { Outcome, Source } from './model/model';
+import type { Outcome, Source, Unwrapped } from './model/model';
 import type { Mode, Settings } from './model/settings';
+import type { SelectionPanel } from './selection/selection-panel';
 import type { Session } from './session/session';
 import { flattenIfPossible } from './session/sweep';
 import { titleOf } from './session/titles';
 import { layoutInfo } from './session/words';
 import { ShownMethod } from './shown/shown-method';
 import { ownerOf, StaleMark } from './shown/stale-mark';
+import type { ChartStates } from './view/chart-flags';
 import type { Views } from './view/views';
 import { SHOWN } from './words/view';
 import type { Workshop } from './workshop/workshop';
 
-export interface ResultEvents
-  extends Pick<MetricsEvents, 'help'>,
-    Pick<ChartsTabEvents, 'chosen' | 'locked'> {
+export interface ResultEvents extends Pick<MetricsEvents, 'help'>, Pick<ChartsTabEvents, 'locked'> {
+  /** What selects charts; undefined if nothing is drawn. */
+  selection(): SelectionPanel | undefined;
   say(text: string): void;
 }
 
@@ -35,6 +39,8 @@ const NOTES: Record<Mode, { tab: Tab; notes: string }> = {
   unwrap: { tab: 'charts', notes: 'atlas-notes' },
   pack: { tab: 'islands', notes: 'islands-notes' },
 };
+
+export const objectsTab = () => loadPart(import('./details/objects-tab'));
 
 /** The last result: its layout, its numbers and its details. */
 export class ResultPanels {
@@ -47,6 +53,8 @@ export class ResultPanels {
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
   private readonly islands = new IslandsTab();
+  /** Loaded with the first mesh that has objects. */
+  private objects: ObjectsTab | null = null;
   private readonly sweep: SweepTab;
   private readonly methods: MethodsTab;
   private readonly shownMethod: ShownMethod;
@@ -56,10 +64,10 @@ export class ResultPanels {
 
   constructor(
     session: Session,
-    workshop: Workshop,
+    private readonly workshop: Workshop,
     private readonly controls: LayoutControls,
     private readonly views: Views | null,
-    events: ResultEvents,
+    private readonly events: ResultEvents,
   ) {
     this.metrics = new MetricsPanel({
       showNotes: () => this.showNotes(),
@@ -69,7 +77,7 @@ export class ResultPanels {
     this.staleMark = new StaleMark(this.metrics);
     this.copyReport = new CopyReport((text) => events.say(text));
     this.charts = new ChartsTab(views, controls.locks, {
-      chosen: (chart) => events.chosen(chart),
+      chosen: (chart) => events.selection()?.pick(chart),
       locked: (what) => events.locked(what),
       packAgain: () => this.packAgain(),
       say: (text) => events.say(text),
@@ -145,6 +153,7 @@ export class ResultPanels {
     this.copyReport.clear();
     this.charts.clear();
     this.islands.clear();
+    void this.objects?.show(null);
     this.solver.clear();
   }
 
@@ -167,8 +176,9 @@ export class ResultPanels {
     if (outcome?.mode === 'unwrap') this.controls.packAgain(outcome);
   }
 
-  showSelected(charts: ReadonlySet<number>): void {
-    this.charts.showSelected(charts);
+  showStates(states: ChartStates): void {
+    this.charts.showSelected(states.selected);
+    this.objects?.showStates(states);
   }
 
   /**
@@ -196,6 +206,7 @@ export class ResultPanels {
     if (outcome.mode === 'unwrap') {
       locks.show(outcome);
       this.charts.show(outcome, chartColors);
+      void this.showObjects(outcome);
       return;
     }
     if (outcome.mode === 'pack') {
@@ -207,6 +218,23 @@ export class ResultPanels {
     this.sweep.setCurrent(chart.t);
     bound.setBoundaryVertices(chart.boundaryVertices);
     if (outcome.settings.t === 'auto') bound.showFound(chart);
+  }
+
+  /** What the page has made has no objects. */
+  private async showObjects({ source }: Unwrapped): Promise<void> {
+    const { say, selection } = this.events;
+    const selecting = selection();
+    if (!selecting || (source.kind === 'sample' && !this.objects)) return;
+    try {
+      const { ObjectsTab } = await objectsTab();
+      this.objects ??= new ObjectsTab(selecting, this.workshop, {
+        offered: (has) => this.details.offerObjects(has),
+        say,
+      });
+      await this.objects.show(this.outcome);
+    } catch (error) {
+      say(reasonOf(error as Error));
+    }
   }
 
   /** Shows the layout of another method; null: the result again. */

@@ -1,9 +1,9 @@
 import { hideAlert, showAlert } from './base/alert';
-import { loadPart } from './base/load-part';
+import { loadPart, reasonOf } from './base/load-part';
 import { TexcoordChoice } from './controls/texcoord-choice';
 import { BakeOffer } from './export/bake-offer';
 import { ExportControl } from './export/export-control';
-import { Exporter } from './export/exporter';
+import { Exporter, savingParts } from './export/exporter';
 import { LayoutBar } from './export/layout-bar';
 import type { FlatDrawing } from './model/drawing';
 import type { Outcome, Source } from './model/model';
@@ -38,6 +38,8 @@ export class Saving {
   private readonly bar: LayoutBar;
   private readonly texcoordChoice = new TexcoordChoice();
   private readonly baking: BakeOffer;
+  /** The menu says what formats lose. */
+  private isLimited = false;
   /** The last result. */
   private outcome: Outcome | null = null;
   /** The mesh on screen. */
@@ -118,6 +120,18 @@ export class Saving {
     this.name(false);
     const isAtlas = current && current.mode !== 'flatten' && chartColors;
     this.bar.show(isAtlas ? { outcome: current, chartColors } : null);
+    // What the page has made has nothing that a format could lose.
+    if (current?.source.kind === 'file' || this.isLimited) void this.showLimits();
+  }
+
+  private async showLimits(): Promise<void> {
+    this.isLimited = true;
+    try {
+      const { showLimits } = await savingParts();
+      showLimits(this.current);
+    } catch (error) {
+      this.events.say(reasonOf(error as Error));
+    }
   }
 
   private showTexcoordChoice(isNew: boolean): void {

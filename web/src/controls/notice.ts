@@ -1,6 +1,6 @@
 import { create, element } from '../base/dom';
 import { messageHidden, messageShown } from '../base/messages';
-import type { FileSource } from '../model/model';
+import { type FileSource, isGltf } from '../model/model';
 import { OPENED_NOTICE } from '../words/opening';
 
 /** What may be done with meshes that were chosen at once. */
@@ -91,9 +91,10 @@ export class Notice {
   private choices(together: FileSource[]): HTMLElement[] {
     if (together.length < 2) return [];
     const row = create('div', 'notice-choices');
+    const { oneAtlas, aboutOneGlb, aboutOneObj } = OPENED_NOTICE;
     row.append(
       this.choice(OPENED_NOTICE.tabs, OPENED_NOTICE.aboutTabs, () => this.events.tabs(together)),
-      this.choice(OPENED_NOTICE.oneAtlas, OPENED_NOTICE.aboutOneAtlas, () =>
+      this.choice(oneAtlas, together.every(isGltf) ? aboutOneGlb : aboutOneObj, () =>
         this.events.oneAtlas(together),
       ),
     );

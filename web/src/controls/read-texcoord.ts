@@ -28,13 +28,12 @@ export class ReadTexcoord {
   }
 
   open({ source, gltf }: Opened): void {
-    const sets = gltf?.texcoordSets ?? 0;
+    // A file that has others may lack the first.
+    const sets = [...new Set([0, ...(gltf?.texcoordSets ?? [])])];
     this.source = source.kind === 'file' ? source : null;
     for (const select of this.selects) {
-      select.hidden = sets < 2;
-      select.replaceChildren(
-        ...Array.from({ length: sets }, (_, set) => new Option(UV_SETS.read(set), String(set))),
-      );
+      select.hidden = sets.length < 2;
+      select.replaceChildren(...sets.map((set) => new Option(UV_SETS.read(set), String(set))));
       select.value = String(this.source?.texcoord ?? 0);
     }
   }

@@ -2,7 +2,10 @@ import { element } from '../base/dom';
 import type { Outcome } from '../model/model';
 import { UV_SETS } from '../words/opening';
 
-/** Which texcoord set of a glTF gets the new coordinates; only shown where it has some, or textures. */
+/** Nobody uses more of them. */
+const OFFERED = 8;
+
+/** Which texcoord set of a glTF gets the new coordinates. */
 export class TexcoordChoice {
   private readonly select = element('texcoord', HTMLSelectElement);
   /** What the user chose for the open file; null if nothing yet. */
@@ -20,16 +23,16 @@ export class TexcoordChoice {
    */
   show(outcome: Outcome | null, isNew: boolean): void {
     if (isNew) this.chosen = null;
-    const { freeTexcoord: free = 0, texcoordSets = 0 } = outcome?.gltf ?? {};
-    this.select.hidden = free === 0 && texcoordSets === 0;
-    if (!outcome || this.select.hidden) return;
-    const added = Math.max(free, texcoordSets);
-    const replaced = Array.from({ length: Math.max(1, texcoordSets) }, (_, set) => set);
-    this.select.replaceChildren(
-      new Option(UV_SETS.added(added), String(added)),
-      ...replaced.map((set) => new Option(UV_SETS.replaced(set), String(set))),
+    const gltf = outcome?.gltf;
+    this.select.hidden = !gltf;
+    if (!outcome || !gltf) return;
+    const { freeTexcoord, texcoordSets } = gltf;
+    const count = Math.max(OFFERED, freeTexcoord + 1);
+    const names = Array.from({ length: count }, (_, set) =>
+      texcoordSets.includes(set) ? UV_SETS.replaced(set) : UV_SETS.added(set),
     );
-    this.select.value = String(this.chosen ?? usual(outcome, free));
+    this.select.replaceChildren(...names.map((name, set) => new Option(name, String(set))));
+    this.select.value = String(this.chosen ?? usual(outcome, freeTexcoord));
   }
 
   /** The set to write. */

@@ -2,13 +2,13 @@ import { element } from '../base/dom';
 import type { Mode } from '../model/settings';
 
 /** The tabs, as their ids in the page. */
-export type Tab = 'solver' | 'sweep' | 'methods' | 'charts' | 'islands' | 'history';
+export type Tab = 'solver' | 'sweep' | 'methods' | 'charts' | 'objects' | 'islands' | 'history';
 
-const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts', 'islands', 'history'];
+const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts', 'objects', 'islands', 'history'];
 /** The tabs of each kind of layout. */
 const TABS_OF: Record<Mode, Tab[]> = {
   flatten: ['solver', 'sweep', 'methods', 'history'],
-  unwrap: ['charts', 'history'],
+  unwrap: ['charts', 'objects', 'history'],
   pack: ['islands', 'history'],
 };
 
@@ -16,6 +16,8 @@ const TABS_OF: Record<Mode, Tab[]> = {
 export class Details {
   private readonly pane = element('details', HTMLElement);
   private readonly toggle = element('details-toggle', HTMLButtonElement);
+  private mode: Mode = 'flatten';
+  private hasObjects = false;
   private offered = TABS_OF.flatten;
   private readonly tabs = TABS.map((tab) => element(`tab-${tab}`, HTMLButtonElement));
 
@@ -34,11 +36,18 @@ export class Details {
 
   /** Offers the tabs of a kind of layout. */
   setMode(mode: Mode): void {
-    this.offered = TABS_OF[mode];
+    this.mode = mode;
+    this.offered = TABS_OF[mode].filter((tab) => this.hasObjects || tab !== 'objects');
     TABS.forEach((tab, i) => {
       this.tabs[i].hidden = !this.offered.includes(tab);
     });
     if (!this.offered.includes(this.selected)) this.select(this.offered[0]);
+  }
+
+  /** Whether the mesh has objects that can be listed. */
+  offerObjects(hasObjects: boolean): void {
+    this.hasObjects = hasObjects;
+    this.setMode(this.mode);
   }
 
   /** Opens the pane at a tab and moves the focus there. */

@@ -5,8 +5,7 @@ import { type Bakeable, type ImageSide, isBakeable } from '../model/baking';
 import type { Outcome } from '../model/model';
 import { writeAgain } from '../session/write-again';
 import { BAKING } from '../words/baking';
-import { SAVED } from '../words/export';
-import { EXPORTED } from '../words/exported';
+import { EXPORTED, SAVED } from '../words/exported';
 import type { ExportFormat } from '../words/generated-formats';
 import { bakedGlb } from '../workshop/baked-glb';
 import type { Workshop } from '../workshop/workshop';
@@ -102,11 +101,19 @@ async function convert(
 
 /** Which texcoord set has the new UVs, where a file may have several. */
 function setOf({ outcome: { gltf }, texcoord }: ExportRequest): string[] {
-  if (!gltf || (gltf.freeTexcoord === 0 && gltf.texcoordSets === 0)) return [];
-  if (gltf.paintedSets.includes(texcoord)) return [EXPORTED.replacedPainted(texcoord)];
-  if (texcoord < gltf.texcoordSets) return [EXPORTED.replaced(texcoord)];
-  const isPainted = gltf.paintedSets.length > 0;
-  return [isPainted ? EXPORTED.addedToPainted(texcoord) : EXPORTED.added(texcoord)];
+  if (!gltf) return [];
+  const { texcoordSets, paintedSets } = gltf;
+  if (paintedSets.includes(texcoord)) return [EXPORTED.replacedPainted(texcoord)];
+  if (texcoordSets.includes(texcoord)) return [EXPORTED.replaced(texcoord)];
+  const filled = Array.from({ length: texcoord }, (_, set) => set).filter(
+    (set) => !texcoordSets.includes(set),
+  );
+  const isOnly = texcoordSets.length === 0 && texcoord === 0;
+  const isPainted = paintedSets.length > 0;
+  return [
+    ...(isOnly ? [] : [isPainted ? EXPORTED.addedToPainted(texcoord) : EXPORTED.added(texcoord)]),
+    ...(filled.length > 0 ? [EXPORTED.filled(filled)] : []),
+  ];
 }
 
 function after({ outcome, format }: ExportRequest): string {

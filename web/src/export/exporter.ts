@@ -5,7 +5,7 @@ import { EXPORT } from '../words/export';
 import type { Workshop } from '../workshop/workshop';
 import type { ExportRequest } from './export-mesh';
 
-export const exportMeshes = () => loadPart(import('./export-mesh'));
+export const savingParts = () => loadPart(import('./saving-parts'));
 
 export interface ExporterEvents {
   say(text: string): void;
@@ -36,7 +36,7 @@ export class Exporter {
   export(request: ExportRequest, remark: string): void {
     this.job
       .start(async (signal) => {
-        const { exportMesh } = await exportMeshes();
+        const { exportMesh } = await savingParts();
         const { done, notes } = await exportMesh(request, {
           workshop: this.workshop,
           aside: (work) => this.session.aside(work, signal),

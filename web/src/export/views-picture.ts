@@ -1,7 +1,6 @@
 import { download } from '../base/download';
 import type { Views } from '../view/views';
-import { SAVED } from '../words/export';
-import { VIEWS_PICTURE } from '../words/exported';
+import { SAVED, VIEWS_PICTURE } from '../words/exported';
 import { drawLegend, drawTiles, type Place } from './legend-picture';
 
 /** Saves both views side by side as they are seen, as PNG. Returns what was done, for people. */

@@ -5,6 +5,8 @@ import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords } from 'abfl
 import type { ChosenGltf, GltfFile, GltfFiles, LayoutArrays } from '../model/model';
 import { GLTF } from '../words/gltf';
 import { compressionsOf, decompressed } from './compression';
+import { contentsOf } from './gltf-contents';
+import { namedParts } from './gltf-parts';
 import { glbOf, gltfIo, openGltf } from './gltf-source';
 
 /** Null for a compressed file, which `readCompressed` reads. */
@@ -18,7 +20,7 @@ export function readCompressed(chosen: ChosenGltf): Promise<GltfFile> {
 }
 
 /** Problems that glTF-Transform does not check for end in plain JavaScript errors. */
-async function orDamaged<T>(name: string, read: () => Promise<T>): Promise<T> {
+export async function orDamaged<T>(name: string, read: () => Promise<T>): Promise<T> {
   try {
     return await read();
   } catch (error) {
@@ -72,15 +74,17 @@ function contentOf(name: string, document: Document, texcoord: number): Omit<Glt
     notes,
     texcoordSets: texcoordSets(primitives),
     paintedSets: sampledTexcoords(primitives),
+    parts: namedParts(document, mesh.parts),
+    holds: contentsOf(document),
     hasMaps: primitives.some((each) => hasMaps(each.getMaterial())),
     compressions: [],
   };
 }
 
-function texcoordSets(primitives: Primitive[]): number {
-  let sets = 0;
-  for (const primitive of primitives) while (primitive.getAttribute(`TEXCOORD_${sets}`)) ++sets;
-  return sets;
+function texcoordSets(primitives: Primitive[]): number[] {
+  const names = primitives.flatMap((primitive) => primitive.listSemantics());
+  const sets = names.flatMap((name) => /^TEXCOORD_(\d+)$/.exec(name)?.[1] ?? []);
+  return [...new Set(sets.map(Number))].sort((a, b) => a - b);
 }
 
 /** Not those of extensions, which keep their layout. */

@@ -44,7 +44,8 @@ interface State extends ObjCorners {
   material: number;
 }
 
-function* linesOf(text: string): Generator<string> {
+/** Without blanks around them; a backslash joins lines of faces and vertices. */
+export function* linesOf(text: string): Generator<string> {
   const end = text.includes('\n') ? '\n' : '\r';
   let joined = '';
   for (let at = 0; at < text.length; ) {

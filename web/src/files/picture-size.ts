@@ -1,5 +1,5 @@
 import { tileGrid } from '../mesh/tiles';
-import { ATLAS_PICTURE } from '../words/export';
+import { ATLAS_PICTURE } from '../words/exported';
 import type { AtlasDrawing } from './svg-text';
 
 /** The most pixels that browsers draw along a side. */

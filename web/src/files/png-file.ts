@@ -1,5 +1,5 @@
 import { triangleAreas } from '../mesh/mesh';
-import { ATLAS_PICTURE } from '../words/export';
+import { ATLAS_PICTURE } from '../words/exported';
 import { type ChartLines, chartLines } from './chart-lines';
 import { HEAT_STEPS, heatColor, heatSteps } from './heat';
 import { pictureSize } from './picture-size';

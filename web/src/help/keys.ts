@@ -64,6 +64,7 @@ export const CONTROLS: ControlGroup[] = [
       { keys: ['ArrowLeft', 'ArrowRight', 'Home', 'End'], does: HELP.details.next },
       { keys: ['Enter', 'Space'], gestures: GESTURES.click, does: HELP.details.use },
       { keys: ['ArrowUp', 'ArrowDown'], does: HELP.details.step },
+      { keys: [], gestures: GESTURES.shiftClick, does: HELP.details.add },
     ],
   },
   {

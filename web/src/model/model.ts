@@ -13,6 +13,7 @@ import type {
 import { meshFileOf } from '../base/mesh-files';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from './drawing';
+import type { NamedParts } from './named-parts';
 import type { FlattenSettings, PackSettings, UnwrapSettings } from './settings';
 import type { Stack, Stacks } from './stacks';
 
@@ -52,16 +53,23 @@ export interface ChosenGltf extends GltfFiles {
   texcoord: number;
 }
 
+/** What a glTF has besides its shape and its texcoords. */
+export type GltfContent = 'materials' | 'skins' | 'morphTargets' | 'animations' | 'names';
+
 export interface GltfFile {
   mesh: ArrayMesh;
   /** The first texcoord set that no texture depends on: 0 if no texture uses that set. */
   freeTexcoord: number;
-  /** How many texcoord sets it has. */
-  texcoordSets: number;
+  /** The texcoord sets that it has, in ascending order. */
+  texcoordSets: number[];
   /** The sets that textures use. */
   paintedSets: number[];
   /** Whether its materials have textures that can follow a new layout. */
   hasMaps: boolean;
+  /** Objects and materials. */
+  parts: NamedParts;
+  /** What it has that other formats would lose. */
+  holds: GltfContent[];
   files: GltfFiles;
   /** What to know about how it was read, one sentence each. */
   notes: string[];

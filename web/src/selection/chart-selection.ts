@@ -91,4 +91,11 @@ export class ChartSelection implements ChartStates {
     this.away = new Set();
     this.changed();
   }
+
+  /** Selects and hides these charts and no others. */
+  put(selected: ReadonlySet<number>, hidden: ReadonlySet<number>): void {
+    this.picked = selected;
+    this.away = hidden;
+    this.changed();
+  }
 }

@@ -2,15 +2,16 @@ import type { UnwrapReport } from 'abflat';
 import { middleOf } from '../arrange/charts';
 import type { GestureKind } from '../arrange/gesture';
 import { type Motion, STILL, turned } from '../arrange/motion';
+import { element } from '../base/dom';
+import { DensityField } from '../controls/density-field';
 import { Aim, type Modifiers } from '../view/aim';
-import type { StackedCharts } from '../view/chart-flags';
+import type { ChartStates, StackedCharts } from '../view/chart-flags';
 import type { Pixel } from '../view/sight';
 import type { ViewName, Views } from '../view/views';
 import { SELECTION } from '../words/selection';
 import type { Arranged } from '../workshop/workshop';
 import { type ArrangeName, densityText, isGesture, isName, movedText } from './arrange-words';
 import { ChartSelection } from './chart-selection';
-import { DensityField } from './density-field';
 import { type Movable, Mover } from './mover';
 import type { PinTool } from './pin-tool';
 import { SelectionBar } from './selection-bar';
@@ -18,8 +19,8 @@ import { SelectionBar } from './selection-bar';
 export interface SelectionEvents {
   /** Whether a click on the mesh is free to select: no seam tool takes it. */
   isFree(): boolean;
-  /** The selection has changed. */
-  changed(selected: ReadonlySet<number>): void;
+  /** Other charts are selected or hidden. */
+  changed(states: ChartStates): void;
   /** The charts of the atlas on screen that stay where they are. */
   staying(): ReadonlySet<number>;
   /** Those that stay because the file has them there. */
@@ -39,6 +40,7 @@ export class SelectionPanel {
   private readonly selection = new ChartSelection(() => this.show());
   private readonly bar: SelectionBar;
   private readonly density: DensityField;
+  private readonly densityLabel = element('selection-density-label', HTMLElement);
   private readonly mover: Mover;
   private report: UnwrapReport | null = null;
 
@@ -56,7 +58,11 @@ export class SelectionPanel {
       pickNone,
       arrange: (how) => isName(how) && this.arrange(how),
     });
-    this.density = new DensityField((density) => this.setDensity(density), events.say);
+    this.density = new DensityField(
+      element('selection-density', HTMLInputElement),
+      (density) => this.setDensity(density, this.selection.selected),
+      events.say,
+    );
     this.mover = new Mover(views, {
       movableAt: (at) => (pins.isActive ? pins.movableAt(at) : this.chartsAt(at)),
       resolution: () => this.report?.atlas.resolution ?? 1,
@@ -80,9 +86,14 @@ export class SelectionPanel {
     this.showDensity();
   }
 
-  /** The charts that are not shown. */
-  get hidden(): ReadonlySet<number> {
-    return this.selection.hidden;
+  /** What is selected and hidden. */
+  get states(): ChartStates {
+    return this.selection;
+  }
+
+  /** Selects and hides these charts and no others. */
+  put(selected: ReadonlySet<number>, hidden: ReadonlySet<number>): void {
+    this.selection.put(selected, hidden);
   }
 
   /** Selects one chart instead of the others. */
@@ -91,8 +102,12 @@ export class SelectionPanel {
   }
 
   private get movable(): ReadonlySet<number> {
+    return this.movableOf(this.selection.selected);
+  }
+
+  private movableOf(charts: ReadonlySet<number>): ReadonlySet<number> {
     const staying = this.events.staying();
-    return new Set([...this.selection.selected].filter((chart) => !staying.has(chart)));
+    return new Set([...charts].filter((chart) => !staying.has(chart)));
   }
 
   /** All that a drag of the chart at a pixel moves. */
@@ -168,7 +183,7 @@ export class SelectionPanel {
   private arrange(how: ArrangeName): void {
     const { movable } = this;
     if (movable.size === 0) {
-      this.events.say(this.whyNoneMoves());
+      this.events.say(this.whyNoneMoves(this.selection.selected));
       return;
     }
     if (isGesture(how)) {
@@ -179,11 +194,10 @@ export class SelectionPanel {
     this.events.arranged(this.arranged(how, movable), movedText(movable, how));
   }
 
-  private whyNoneMoves(): string {
-    const { selected } = this.selection;
-    if (selected.size === 0) return SELECTION.none;
+  private whyNoneMoves(charts: ReadonlySet<number>): string {
+    if (charts.size === 0) return SELECTION.none;
     const keptUvs = this.events.keptUvs();
-    const isOfFile = [...selected].every((chart) => keptUvs.has(chart));
+    const isOfFile = [...charts].every((chart) => keptUvs.has(chart));
     return isOfFile ? SELECTION.keptUvs : SELECTION.locked;
   }
 
@@ -195,10 +209,16 @@ export class SelectionPanel {
     return together(movable, turned(middle, how === 'left' ? QUARTER : -QUARTER));
   }
 
-  private setDensity(density: number): void {
-    const { movable } = this;
-    const charts = Uint32Array.from(movable);
-    if (charts.length > 0) this.events.arranged({ density, charts }, densityText(movable, density));
+  /** Returns whether any of the charts can have it. */
+  setDensity(density: number, charts: ReadonlySet<number>): boolean {
+    const movable = this.movableOf(charts);
+    if (movable.size === 0) this.events.say(this.whyNoneMoves(charts));
+    else
+      this.events.arranged(
+        { density, charts: Uint32Array.from(movable) },
+        densityText(movable, density),
+      );
+    return movable.size > 0;
   }
 
   private showGesture(text: string | null): void {
@@ -223,6 +243,7 @@ export class SelectionPanel {
   showDensity(): void {
     const charts = this.report?.charts ?? [];
     const faces = [...this.movable].flatMap((chart) => charts[chart]?.firstFace ?? []);
+    this.densityLabel.hidden = faces.length === 0;
     this.density.update(faces.map((face) => this.events.densityOf(face)));
   }
 
@@ -230,7 +251,7 @@ export class SelectionPanel {
     this.views.showStates(this.selection);
     this.bar.show(this.selection, this.report);
     this.showDensity();
-    this.events.changed(this.selection.selected);
+    this.events.changed(this.selection);
   }
 }
 

@@ -1,6 +1,7 @@
 import type { Abflat, MeshFile, MeshInput } from 'abflat';
 import { Background } from '../base/background';
 import { copied } from '../base/buffers';
+import { loadPart } from '../base/load-part';
 import { lostOf } from '../base/lost';
 import { asDisk } from '../mesh/as-disk';
 import type { FlatDrawing } from '../model/drawing';
@@ -16,7 +17,6 @@ import type { Settings } from '../model/settings';
 import { READING } from '../words/opening';
 import { layOut } from './lay-out';
 import { currentStep, type Left } from './left-meshes';
-import { packUvs } from './pack-uvs';
 import { notSupported } from './words';
 
 export interface SessionEvents {
@@ -47,6 +47,9 @@ const PATIENCE = 150;
 
 /** Detail at which samples look good. */
 const SAMPLE_DETAIL = 2;
+
+/** It comes with what saves files, too, which asks for it. */
+const packing = () => loadPart(import('./pack-uvs'));
 
 /**
  * One mesh and one run at a time; the latest request wins. Requests are accepted while abflat is
@@ -184,7 +187,7 @@ export class Session {
       const abflat = await this.abflat();
       const outcome =
         settings.mode === 'pack'
-          ? await packUvs(abflat, opened, settings, watch)
+          ? await (await packing()).packUvs(abflat, opened, settings, watch)
           : await layOut(abflat, opened, settings, last, watch, helpers);
       if (controller !== this.running) return;
       const drawing = await this.helpers.outcome(outcome);

@@ -3,6 +3,7 @@ import type { Unwrapped } from '../model/model';
 import type { UnwrapSettings } from '../model/settings';
 import { PinTool } from '../selection/pin-tool';
 import { type SelectionEvents, SelectionPanel } from '../selection/selection-panel';
+import type { ChartStates } from '../view/chart-flags';
 import type { Views } from '../view/views';
 import { STACKING } from '../words/selection';
 import type { Workshop } from '../workshop/workshop';
@@ -13,8 +14,8 @@ export interface ArrangingEvents
     Pick<SelectionEvents, 'staying' | 'keptUvs'> {
   /** Whether a click on the mesh is free to select: no seam tool takes it. */
   isFree(): boolean;
-  /** Other charts are selected. */
-  selected(charts: ReadonlySet<number>): void;
+  /** Other charts are selected or hidden. */
+  selected(states: ChartStates): void;
   /** How a layout follows the first of some pinned vertices. */
   weights(layout: ChartMesh, pins: number[]): Promise<Float64Array>;
   /** Other vertices are pinned; `what` was done. */
@@ -26,7 +27,7 @@ export interface ArrangingEvents
 export class Arranging {
   private readonly placement: Placement;
   private readonly pins: PinTool;
-  private readonly selection: SelectionPanel;
+  readonly selection: SelectionPanel;
 
   constructor(views: Views, workshop: Workshop, events: ArrangingEvents) {
     const place = (change: Change, what: string) => void this.placement.place(change, what);
@@ -46,7 +47,7 @@ export class Arranging {
       layout: () => this.placement.current,
       staying: () => events.staying(),
       keptUvs: () => events.keptUvs(),
-      hidden: () => this.selection.hidden,
+      hidden: () => this.selection.states.hidden,
       chart: (outcome, chart) => workshop.chart(outcome, chart),
       weights: (layout, pins) => events.weights(layout, pins),
       changed: (pins, what) => events.pinned(pins, what),
@@ -55,7 +56,7 @@ export class Arranging {
     });
     this.selection = new SelectionPanel(views, this.pins, {
       isFree: () => events.isFree(),
-      changed: (selected) => events.selected(selected),
+      changed: (states) => events.selected(states),
       staying: () => events.staying(),
       keptUvs: () => events.keptUvs(),
       densityOf: (face) => this.placement.current?.settings.faceDensities?.[face] ?? 1,
@@ -81,10 +82,5 @@ export class Arranging {
     this.placement.show(outcome, wanted.placed);
     this.selection.open(outcome?.result.report ?? null);
     this.pins.show(wanted.pins ?? new Uint32Array());
-  }
-
-  /** Selects one chart instead of the others. */
-  pick(chart: number): void {
-    this.selection.pick(chart);
   }
 }

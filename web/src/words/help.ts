@@ -43,6 +43,7 @@ export const HELP = {
     next: 'Next tab, or next point of a plot',
     use: 'Use the t of that point',
     step: 'Step the number for t',
+    add: 'Add or remove the islands of an object',
   },
   seams: {
     title: 'Seams',

@@ -56,7 +56,8 @@ export const OPENED_NOTICE = {
   tabs: 'Open as tabs',
   aboutTabs: 'Each with a layout of its own',
   oneAtlas: 'One atlas',
-  aboutOneAtlas: 'All as one mesh, in one layout',
+  aboutOneGlb: 'All as one GLB, in one layout',
+  aboutOneObj: 'All as one OBJ of shapes, in one layout',
   compressed: (name: string, compressions: string[]) =>
     `${name} was compressed with ${compressions.join(' and ')}. The export is uncompressed.`,
   oneOfMany: (name: string, meshes: number) => `You chose ${meshes} meshes. ${name} is open.`,

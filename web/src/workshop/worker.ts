@@ -31,6 +31,7 @@ import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { FaceDensities } from '../model/face-densities';
 import type { ChosenGltf, GltfFiles, LayoutArrays } from '../model/model';
+import type { NamedParts } from '../model/named-parts';
 import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 import type { bake } from './baking';
@@ -38,13 +39,15 @@ import type { bake } from './baking';
 // All but drawing is not part of the first load. What is loaded keeps the order of requests.
 const gltfFile = startOnce(() => loadInWorker(import('../files/gltf-file')));
 const newGlbFile = startOnce(() => loadInWorker(import('../files/new-glb')));
+const objParts = startOnce(() => loadInWorker(import('../files/obj-parts')));
+const joinedGltf = startOnce(() => loadInWorker(import('../files/joined-gltf')));
 const appearanceFile = startOnce(() => loadInWorker(import('../files/appearance')));
 const arranging = startOnce(() => loadInWorker(import('./arranging')));
 const baking = startOnce(() => loadInWorker(import('./baking')));
 const writing = startOnce(() => loadInWorker(import('./writing')));
 const surfaces = startOnce(() => loadInWorker(import('../surface/make-surface')));
 
-const LATER = [gltfFile, newGlbFile, appearanceFile, arranging, writing, surfaces];
+const LATER = [gltfFile, newGlbFile, appearanceFile, arranging, writing, surfaces, objParts];
 
 /** The vertices of a layout: where they are in 3D, or which they are of the input. */
 type Placed = Pick<LayoutArrays, 'positions' | 'vertexMap'>;
@@ -176,10 +179,17 @@ const tasks = {
     return transfer(read, [...buffersOf(corners), ...images]);
   },
 
+  objParts: async (file: File, triangles: number, faces?: Uint32Array): Promise<NamedParts> => {
+    const [{ objParts: read }, text] = await Promise.all([objParts(), file.text()]);
+    return read(text, triangles, faces);
+  },
+
   joined: async (mesh: ArrayMesh): Promise<ArrayMesh> => {
     const { joined } = await writing();
     return handedOver(joined(mesh));
   },
+
+  joinedGlb: async (files: GltfFiles[]): Promise<Blob> => (await joinedGltf()).joinedGlb(files),
 
   joinedObj: async (meshes: NamedMesh[]): Promise<Blob> => {
     const { joinedObj } = await writing();

@@ -19,6 +19,7 @@ import type {
   Outcome,
   Unwrapped,
 } from '../model/model';
+import type { NamedParts } from '../model/named-parts';
 import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
@@ -228,6 +229,13 @@ export class Workshop implements Helpers {
       ? { indices: new Uint32Array() }
       : { indices: mesh.indices, faces: mesh.faces };
     return this.send([own], (tasks, mesh) => tasks.appearance(source, mesh));
+  }
+
+  /** Objects and materials of an OBJ. */
+  objParts({ file }: FileSource, { indices, faces }: DisplayMesh): Promise<NamedParts> {
+    return this.send([{ faces }], (tasks, own) =>
+      tasks.objParts(file, indices.length / 3, own.faces),
+    );
   }
 
   /** The mesh with vertices at the same point joined. */

@@ -1,18 +1,18 @@
-import { element } from '../base/dom';
-import { fits, refusal } from '../controls/number-field';
 import { DENSITY_RULE } from '../model/face-densities';
 import { NUMBERS } from '../words/controls';
 import { SELECTION } from '../words/selection';
+import { fits, refusal } from './number-field';
 
-/** The texel density of the selected charts relative to the others. */
+/** The texel density of some charts relative to the others. */
 export class DensityField {
-  private readonly label = element('selection-density-label', HTMLElement);
-  private readonly input = element('selection-density', HTMLInputElement);
   private shown = '';
 
   /** `changed`: another density is wanted. */
-  constructor(changed: (density: number) => void, say: (text: string) => void) {
-    const { input } = this;
+  constructor(
+    private readonly input: HTMLInputElement,
+    changed: (density: number) => void,
+    say: (text: string) => void,
+  ) {
     input.addEventListener('input', () => this.mark(fits(input.valueAsNumber, DENSITY_RULE)));
     input.addEventListener('change', () => {
       const density = input.valueAsNumber;
@@ -28,27 +28,27 @@ export class DensityField {
           this.shown || SELECTION.mixedDensity,
         ),
       );
-      this.show(this.shown);
+      this.putBack();
     });
     // Takes back what was typed before it selects nothing.
     input.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape' || input.value === this.shown) return;
       event.stopPropagation();
-      this.show(this.shown);
+      this.putBack();
     });
   }
 
-  /** Shows what the selected charts have. */
+  /** Shows what the charts have. */
   update(densities: number[]): void {
-    this.label.hidden = densities.length === 0;
     const texts = new Set(densities.map((density) => String(Number(density.toPrecision(3)))));
     const [text] = texts;
-    this.show(texts.size === 1 ? text : '');
+    this.shown = texts.size === 1 ? text : '';
+    this.putBack();
   }
 
-  private show(text: string): void {
-    this.shown = text;
-    this.input.value = text;
+  /** Shows again what was there. */
+  putBack(): void {
+    this.input.value = this.shown;
     this.mark(true);
   }
 
