@@ -75,12 +75,14 @@ export class Workshop implements Helpers {
     if (mode === 'pack') {
       const { islandOfTriangle: chartOfTriangle, faults, report } = result;
       const marked = outcome.settings.keepPlaces ? { faults } : {};
-      const size = { tiles: report.tiles, chartCount: report.islands, isOfFile: true };
+      const { tiles, resolution, islands: chartCount } = report;
+      const size = { tiles, resolution, chartCount, isOfFile: true };
       return this.atlas({ ...arrays, chartOfTriangle, ...marked }, size, mesh);
     }
     const { chartOfTriangle, report } = result;
     const asked = outcome.settings.faceDensities;
-    const size = { tiles: report.atlas.tiles, chartCount: report.charts.length, asked };
+    const { tiles, resolution } = report.atlas;
+    const size = { tiles, resolution, chartCount: report.charts.length, asked };
     return this.atlas({ ...arrays, chartOfTriangle }, size, mesh);
   }
 
