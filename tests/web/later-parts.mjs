@@ -4,6 +4,7 @@
 export const LATER = [
   'appearance',
   'arranging',
+  'chart-tools',
   'export-mesh',
   'gltf-file',
   'help-groups',
@@ -14,6 +15,7 @@ export const LATER = [
   'plots',
   'seam-painter',
   'solid',
+  'stacks',
   'writing',
 ];
 

@@ -8,7 +8,7 @@ import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel } from '../view/sight';
 import { SEAMS } from '../words/seams';
 import { edgeAt, edgeAwayFromEnds } from './pick';
-import type { SeamModel } from './seam-model';
+import type { SeamModel, Symmetry } from './seam-model';
 import type { Brush, SeamPainter } from './seam-painter';
 import { endsOf, placeAt, type Targets, targetsOf } from './seam-targets';
 import { SeamTools, type Tool } from './seam-tools';
@@ -48,6 +48,8 @@ export class SeamEditor {
   private begunOnEdge: Pixel | null = null;
   /** Null until needed. */
   private targets: Targets | null = null;
+  private alike: Symmetry = (_, edges) => edges;
+  readonly symmetry = () => this.alike;
 
   constructor(
     private readonly view: MeshView,
@@ -74,6 +76,19 @@ export class SeamEditor {
   /** Whether clicks on the mesh do nothing here. */
   get isIdle(): boolean {
     return this.tools.tool === null;
+  }
+
+  /** What is to be cut or joined with some edges. */
+  setSymmetry(alike: Symmetry): void {
+    this.alike = alike;
+  }
+
+  /** The seams of which a click removes some; null if it does not. */
+  get joining(): SeamModel | null {
+    if (this.tools.tool !== 'join' || !this.model) return null;
+    if (this.model.isReady) return this.model;
+    void this.events.ready();
+    return null;
   }
 
   /** What paints is not part of the first load. */
@@ -226,24 +241,31 @@ export class SeamEditor {
       path.length > 0
         ? SEAMS.cutTo(paths.start, place, path.length, paths.distanceTo(place))
         : toEnd(paths.start);
-    this.mark({ ...NO_MARKS, cut: endsOf(model.graph, path), vertices }, text);
+    this.mark({ ...NO_MARKS, cut: endsOf(model.graph, model.alike(path)), vertices }, text);
   }
 
   private previewStart(model: SeamModel, place: number, loop: number[]): void {
     const begin = this.tools.isPainting ? SEAMS.paintHere : SEAMS.startHere;
     const start = place < 0 ? this.invitation('cut') : begin(place);
     const text = loop.length > 0 ? SEAMS.orCutLoop(start, loop.length) : start;
-    this.mark({ ...NO_MARKS, offered: endsOf(model.graph, loop), vertices: listed(place) }, text);
+    this.mark(
+      { ...NO_MARKS, offered: endsOf(model.graph, model.alike(loop)), vertices: listed(place) },
+      text,
+    );
   }
 
   private previewJoin(model: SeamModel, at: Pixel | null, { shift }: Modifiers): void {
-    const edges = this.seamAt(model, at, shift);
+    this.previewEdges(model, this.seamAt(model, at, shift));
+  }
+
+  /** Marks edges that a click would remove from the seams. */
+  previewEdges(model: SeamModel, edges: number[]): void {
     const vertices = this.paths ? Uint32Array.of(this.paths.start) : NO_MARKS.vertices;
     const isOwn = edges.some((e) => model.own[e]);
     if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, this.invitation('join'));
     else if (!isOwn) this.mark(NO_MARKS, SEAMS.neededHere(edges.length));
     else {
-      const joined = endsOf(model.graph, edges);
+      const joined = endsOf(model.graph, model.alike(edges));
       this.mark({ ...NO_MARKS, joined, vertices }, SEAMS.joinHere(edges.length));
     }
   }
@@ -305,7 +327,11 @@ export class SeamEditor {
   }
 
   private join(model: SeamModel, at: Pixel, { shift }: Modifiers): void {
-    const edges = this.seamAt(model, at, shift);
+    this.joinEdges(model, this.seamAt(model, at, shift));
+  }
+
+  /** Removes edges from the seams. */
+  joinEdges(model: SeamModel, edges: number[]): void {
     if (edges.length === 0) return;
     const count = model.join(edges);
     const what = SEAMS.joined(count);

@@ -10,6 +10,9 @@ export interface Surface {
   solid: Solid;
 }
 
+/** Which edges are cut or joined together. */
+export type Symmetry = (graph: SurfaceGraph, edges: number[]) => number[];
+
 /** The seams of one mesh: what the user wants, and what the atlas on screen has. */
 export class SeamModel {
   private made: Surface | null = null;
@@ -25,7 +28,13 @@ export class SeamModel {
   constructor(
     private readonly findSurface: () => Surface | null,
     private asked: SeamChoice = AUTOMATIC,
+    private readonly symmetry: () => Symmetry = () => (_, edges) => edges,
   ) {}
+
+  /** Edges, and those that are to be cut or joined with them. */
+  alike(edges: number[]): number[] {
+    return this.symmetry()(this.graph, edges);
+  }
 
   /** Whether its seams can be edited. */
   get isReady(): boolean {
@@ -81,7 +90,7 @@ export class SeamModel {
   cut(edges: number[]): number {
     const { own } = this;
     return this.set(
-      edges.filter((e) => this.graph.isInner[e] && !own[e]),
+      this.alike(edges).filter((e) => this.graph.isInner[e] && !own[e]),
       1,
     );
   }
@@ -90,7 +99,7 @@ export class SeamModel {
   join(edges: number[]): number {
     const { own } = this;
     return this.set(
-      edges.filter((e) => own[e]),
+      this.alike(edges).filter((e) => own[e]),
       0,
     );
   }

@@ -53,7 +53,7 @@ export interface SeamPanelEvents {
 export class SeamPanel {
   private readonly sources: SourceControl;
   private readonly sharp: SharpControl;
-  private readonly editor: SeamEditor | null;
+  readonly editor: SeamEditor | null;
   private model: SeamModel | null = null;
   private isUnwrapped = false;
   private readonly files: SeamFiles;
@@ -183,7 +183,11 @@ export class SeamPanel {
     this.prepared = startOnce(async () => {
       surface = await this.surfaceOf(mesh);
     });
-    this.model = new SeamModel(() => surface, takenOver(this.choice, mesh.isReread));
+    this.model = new SeamModel(
+      () => surface,
+      takenOver(this.choice, mesh.isReread),
+      this.editor?.symmetry,
+    );
     this.sources.offer(offeredBy(summary));
     this.sources.show(this.choice);
     this.hide();

@@ -36,8 +36,9 @@ export class CutStroke implements SeamStroke {
   }
 
   get marks(): SeamMarks {
-    const cut = endsOf(this.model.graph, this.trail.edges);
-    return { ...NO_MARKS, cut, vertices: Uint32Array.of(this.trail.places[0], this.trail.end) };
+    const { model, trail } = this;
+    const cut = endsOf(model.graph, model.alike(trail.edges));
+    return { ...NO_MARKS, cut, vertices: Uint32Array.of(trail.places[0], trail.end) };
   }
 
   get hint(): string {
@@ -81,7 +82,7 @@ export class JoinStroke implements SeamStroke {
   ) {}
 
   get marks(): SeamMarks {
-    return { ...NO_MARKS, joined: endsOf(this.model.graph, this.own) };
+    return { ...NO_MARKS, joined: endsOf(this.model.graph, this.model.alike(this.own)) };
   }
 
   get hint(): string {

@@ -36,7 +36,7 @@ const NO_CHARTS: ReadonlySet<number> = new Set();
 
 /** Lets the user select charts in either view, and frame, isolate, hide and move them. */
 export class SelectionPanel {
-  private readonly selection = new ChartSelection(() => this.show());
+  readonly selection = new ChartSelection(() => this.show());
   private readonly bar: SelectionBar;
   private readonly density: DensityField;
   private readonly mover: Mover;
@@ -78,6 +78,11 @@ export class SelectionPanel {
     }
     this.selection.setPlaced(invalidCharts(report), stackedIn(report));
     this.showDensity();
+  }
+
+  /** Whether clicks and drags in the layout are for charts, and nothing is being moved. */
+  get isFree(): boolean {
+    return this.report !== null && !this.mover.isActive && !this.pins.isActive;
   }
 
   /** The charts that are not shown. */
