@@ -2,6 +2,7 @@
 
 /** Loaded when there is a layout. */
 export const LATER = [
+  'aiming',
   'appearance',
   'arranging',
   'chart-tools',

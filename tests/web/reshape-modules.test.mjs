@@ -110,7 +110,21 @@ test('triangles with four corners become a rectangle, too', async () => {
   assertRectangle(coordinates.uv, strip, 8 * 2 * Math.sin(1 / 8));
 });
 
-test('what is no rectangle, or has holes, stays as it is, and why is said', async () => {
+test('a wall with windows becomes a rectangle, and its windows stay open', async () => {
+  const strip = bentStrip(7, 5);
+  strip.indices = strip.indices.filter((_, c) => ![15, 16, 18].includes(Math.floor(c / 6)));
+  strip.corners = Uint32Array.from(strip.indices, (_, c) => c);
+  const faces = Uint32Array.from({ length: strip.indices.length / 3 }, (_, f) => f);
+  for (const how of ['rectified', 'relaxed']) {
+    const { coordinates, failed } = await reshaped(strip, how, { faces });
+    assert.deepEqual(failed, []);
+    const [[left, right], [bottom, top]] = boxOf(coordinates.uv);
+    const share = areaOf(coordinates.uv, strip.indices) / ((right - left) * (top - bottom));
+    if (how === 'rectified') assert.ok(Math.abs(share - 32 / 35) < 0.03, String(share));
+  }
+});
+
+test('what is no rectangle, or touches itself, stays as it is, and why is said', async () => {
   // A round outline.
   const count = 24;
   const around = Array.from({ length: count }, (_, i) => (i * 2 * Math.PI) / count);
@@ -132,10 +146,16 @@ test('what is no rectangle, or has holes, stays as it is, and why is said', asyn
   assert.deepEqual(done, []);
   assert.match(failed[0][1], /not nearly a rectangle/);
   assert.equal(coordinates.uv, texcoords);
-  const withHole = { ...bentStrip(5, 5), faces: undefined };
-  withHole.indices = withHole.indices.filter((_, c) => Math.floor(c / 6) !== 12);
-  const { failed: why } = await reshaped(withHole, 'rectified');
-  assert.match(why[0][1], /holes/);
+  // Two triangles that share a point only.
+  const bow = {
+    positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0),
+    texcoords: Float64Array.of(0, 0, 1, 0, 0, 1, -1, 0, 0, -1),
+    indices: Uint32Array.of(0, 1, 2, 0, 3, 4),
+    vertices: Uint32Array.of(0, 1, 2, 3, 4),
+    corners: Uint32Array.of(0, 1, 2, 3, 4, 5),
+  };
+  const { failed: why } = await reshaped(bow, 'relaxed');
+  assert.match(why[0][1], /touches itself/);
 });
 
 test('relaxing keeps lengths better, in the same place, and pins where they are', async () => {
@@ -163,7 +183,7 @@ test('relaxing keeps lengths better, in the same place, and pins where they are'
 });
 
 test('edges have their mirror images, across the middle or the origin; those without stay alone', async () => {
-  const { mirrorMap, withImages } = await load('surface/mirror');
+  const { mirrorOf, withImages } = await load('surface/mirror');
   const { edgeBetween, surfaceGraph } = await load('surface/surface-graph');
   /** 5 x 3 squares from x = -2.5, with a tail on the right. */
   const positions = [];
@@ -180,13 +200,13 @@ test('edges have their mirror images, across the middle or the origin; those wit
   const mesh = { positions: Float64Array.from(positions), indices: Uint32Array.from(indices) };
   const places = Uint32Array.from({ length: 25 }, (_, v) => v);
   const graph = surfaceGraph(mesh, places, faces);
-  const map = mirrorMap(graph, mesh.positions);
-  assert.equal(map[6], 11);
-  assert.equal(map[24], -1);
+  const mirror = mirrorOf(graph, mesh.positions);
+  assert.equal(mirror(6), 11);
+  assert.equal(mirror(24), -1);
   const edge = (a, b) => edgeBetween(graph, a, b);
-  assert.deepEqual(withImages(graph, map, [edge(6, 7)]), [edge(6, 7), edge(10, 11)]);
-  assert.deepEqual(withImages(graph, map, [edge(8, 9)]), [edge(8, 9)], 'its own image');
-  assert.deepEqual(withImages(graph, map, [edge(5, 24)]), [edge(5, 24)], 'no image');
+  assert.deepEqual(withImages(graph, mirror, [edge(6, 7)]), [edge(6, 7), edge(10, 11)]);
+  assert.deepEqual(withImages(graph, mirror, [edge(8, 9)]), [edge(8, 9)], 'its own image');
+  assert.deepEqual(withImages(graph, mirror, [edge(5, 24)]), [edge(5, 24)], 'no image');
   const scattered = mesh.positions.map((_, i) => Math.sin(i * i));
-  assert.equal(mirrorMap(graph, scattered), null);
+  assert.equal(mirrorOf(graph, scattered), null);
 });

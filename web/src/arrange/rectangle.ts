@@ -18,8 +18,8 @@ export function rectangleFor(
   { positions, texcoords }: ChartMesh,
   { loop }: OwnMesh,
 ): Places | null {
-  const corners = loop && loop.length >= 4 ? cornersOf(loop, texcoords) : null;
-  if (!loop || !corners) return null;
+  const corners = loop.length >= 4 ? cornersOf(loop, texcoords) : null;
+  if (!corners) return null;
   const sides = corners.map((from, i) => {
     const to = corners[(i + 1) % 4];
     return loop

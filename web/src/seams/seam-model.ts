@@ -8,6 +8,8 @@ import { type EdgeFlags, flagsOf, pairsOf, seamRun } from './seam-edges';
 export interface Surface {
   graph: SurfaceGraph;
   solid: Solid;
+  /** What finds it under the pointer. */
+  aiming: typeof import('./aiming');
 }
 
 /** Which edges are cut or joined together. */

@@ -54,7 +54,7 @@ export class CutStroke implements SeamStroke {
     const known = trail.places.length;
     let left = MOST_PLACES;
     for (const at of along) {
-      const place = placeAt(model, sight, at, [...near, ...trail.places.slice(known)]);
+      const place = placeAt(model.surface, sight, at, [...near, ...trail.places.slice(known)]);
       if (place < 0 || place === trail.end) continue;
       const path = this.paths.between(trail.end, place, left);
       if (!path) return;

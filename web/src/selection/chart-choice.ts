@@ -1,10 +1,10 @@
 import { chartsInArea } from '../arrange/charts-in-area';
 import type { Point } from '../arrange/motion';
-import { sameShapes } from '../arrange/same-shape';
 import { reasonOf } from '../base/load-part';
 import type { Unwrapped } from '../model/model';
 import { CHOOSING } from '../words/choosing';
 import { SELECTION } from '../words/selection';
+import type { Workshop } from '../workshop/workshop';
 import type { AreaKind } from './area-drawing';
 import type { ChartSelection } from './chart-selection';
 import { chartsWithParts, flippedCharts, overlappingCharts, stretchedCharts } from './choosing';
@@ -19,10 +19,14 @@ export interface ChartChoiceEvents {
   say(text: string): void;
 }
 
+/** Finds what is like some charts, and these. */
+type Find = (charts: ReadonlySet<number>) => Promise<ReadonlySet<number>>;
+
 /** Selects charts by an area in uv, or by what they are. */
 export class ChartChoice {
   constructor(
     private readonly selection: ChartSelection,
+    private readonly workshop: Pick<Workshop, 'sameShapes' | 'connectedParts'>,
     private readonly events: ChartChoiceEvents,
   ) {}
 
@@ -55,42 +59,41 @@ export class ChartChoice {
         const { selected } = selection;
         selection.pickSome([...Array(length).keys()].filter((chart) => !selected.has(chart)));
       },
-      material: () => void this.addWithParts(outcome, 'material'),
-      group: () => void this.addWithParts(outcome, 'group'),
-      shape: () => this.addLike('shape', (charts) => sameShapes(outcome.result, charts)),
+      material: () => this.addLike(outcome, 'material', this.withParts(outcome, 'material')),
+      group: () => this.addLike(outcome, 'group', this.withParts(outcome, 'group')),
+      shape: () =>
+        this.addLike(outcome, 'shape', (charts) =>
+          this.workshop.sameShapes(outcome.result, Uint32Array.from(charts)),
+        ),
       overlapping: () => this.pick(overlappingCharts(outcome), CHOOSING.noneFound.overlapping),
       flipped: () => this.pick(flippedCharts(outcome.result), CHOOSING.noneFound.flipped),
     };
     actions[how]();
   }
 
-  private async addWithParts(outcome: Unwrapped, kind: PartKind): Promise<void> {
-    const { selected } = this.selection;
-    try {
-      const parts = selected.size > 0 ? await partsOfFile(outcome, kind) : null;
-      // Something else is on screen, or was selected, in the meantime.
-      if (this.events.layout() !== outcome || this.selection.selected !== selected) return;
-      this.addLike(kind, (charts) =>
-        parts ? chartsWithParts(outcome.result, parts, charts) : charts,
-      );
-    } catch (error) {
-      this.events.say(reasonOf(error as Error));
-    }
+  private withParts(outcome: Unwrapped, kind: PartKind): Find {
+    return async (charts) => {
+      const parts = await partsOfFile(outcome, kind, this.workshop);
+      return parts ? chartsWithParts(outcome.result, parts, charts) : charts;
+    };
   }
 
   /** Selects what is like the selected charts, too. */
-  private addLike(
-    how: keyof typeof CHOOSING.noneFound,
-    find: (charts: ReadonlySet<number>) => ReadonlySet<number>,
-  ): void {
+  private addLike(outcome: Unwrapped, how: keyof typeof CHOOSING.noneFound, find: Find): void {
     const { selected } = this.selection;
     if (selected.size === 0) {
       this.events.say(SELECTION.none);
       return;
     }
-    const found = find(selected);
-    if (found.size > selected.size) this.pick(found, '');
-    else this.events.say(CHOOSING.noneFound[how]);
+    find(selected).then(
+      (found) => {
+        // Something else is on screen, or was selected, in the meantime.
+        if (this.events.layout() !== outcome || this.selection.selected !== selected) return;
+        if (found.size > selected.size) this.pick(found, '');
+        else this.events.say(CHOOSING.noneFound[how]);
+      },
+      (error: Error) => this.events.say(reasonOf(error)),
+    );
   }
 
   /** `none`: what is said if there are no charts. */

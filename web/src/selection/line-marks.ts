@@ -9,7 +9,7 @@ export class LineMarks {
 
   constructor(
     private readonly views: Views,
-    kind: 'marked-lines' | 'marked-lines joined-lines',
+    kind: 'marked-lines' | 'joined-lines',
   ) {
     views
       .canvasOf('layout')

@@ -35,7 +35,11 @@ export class OutlinePicker {
   /** The edge nearest to a point of uv within `reach`, of those that are meant; null if there is none. */
   edgeNear(at: Point, reach: number, isMeant: (edge: number) => boolean): number | null {
     let [nearest, least]: [number | null, number] = [null, reach];
+    const { uv } = this.atlas;
     for (let edge = 0; 2 * edge < this.ends.length; ++edge) {
+      const [a, b] = [2 * this.ends[2 * edge], 2 * this.ends[2 * edge + 1]];
+      if (isBeside(uv[a], uv[b], at[0], least) || isBeside(uv[a + 1], uv[b + 1], at[1], least))
+        continue;
       const [from, to] = this.sideOf(edge);
       const distance = distanceTo(from, to, at);
       if (!(distance < least) || !isMeant(edge)) continue;
@@ -56,6 +60,10 @@ export class OutlinePicker {
     return nearest;
   }
 }
+
+/** Whether a number is farther than that from all between two others. */
+const isBeside = (from: number, to: number, at: number, reach: number): boolean =>
+  Math.min(from, to) - at > reach || at - Math.max(from, to) > reach;
 
 /** From a point to a line between two others. */
 function distanceTo([x0, y0]: Point, [x1, y1]: Point, [x, y]: Point): number {

@@ -1,6 +1,6 @@
 import { loadPart } from '../base/load-part';
-import { connectedParts } from '../mesh/connected-parts';
 import type { Unwrapped } from '../model/model';
+import type { Workshop } from '../workshop/workshop';
 
 export type PartKind = 'material' | 'group';
 
@@ -11,10 +11,11 @@ export type PartKind = 'material' | 'group';
 export async function partsOfFile(
   { source, mesh, gltf }: Unwrapped,
   kind: PartKind,
+  workshop: Pick<Workshop, 'connectedParts'>,
 ): Promise<ArrayLike<number> | null> {
   const named = await partsOfObj({ source, mesh }, kind);
   if (named) return named;
-  if (kind === 'group') return connectedParts(mesh);
+  if (kind === 'group') return workshop.connectedParts(mesh);
   const { materials } = gltf?.mesh ?? {};
   return materials && new Set(materials).size > 1 ? materials : null;
 }

@@ -89,7 +89,7 @@ export class Arranging {
     this.loadRest = startOnce(async () => {
       const { ChartTools } = await loadPart(import('./chart-tools'));
       const { selection } = this.selection;
-      return new ChartTools(views, {
+      return new ChartTools(views, workshop, {
         layout: () => this.placement.current,
         selection,
         isFree: () => this.selection.isFree,

@@ -18,7 +18,7 @@ import type { Pixel } from '../view/sight';
 import type { Views } from '../view/views';
 import { CHOOSING, LEVELLING, RESHAPING } from '../words/choosing';
 import { SELECTION } from '../words/selection';
-import type { Arranged } from '../workshop/workshop';
+import type { Arranged, Workshop } from '../workshop/workshop';
 import { LayoutJoin, type Outlines } from './layout-join';
 import type { Change } from './placement';
 import { type Reshape, type ReshapingEvents, reshapeCharts } from './reshaping';
@@ -53,12 +53,13 @@ export class ChartTools {
 
   constructor(
     private readonly views: Views,
+    workshop: Workshop,
     private readonly events: ChartToolsEvents,
   ) {
     const canvas = views.canvasOf('layout');
     const stage = element('layout-stage', HTMLElement);
     const marks = new LineMarks(views, 'marked-lines');
-    const joined = new LineMarks(views, 'marked-lines joined-lines');
+    const joined = new LineMarks(views, 'joined-lines');
     this.edges = new EdgeTool(stage, views, marks, {
       outlines: () => this.outlines?.picker ?? null,
       isMeant: (chart) => this.isAlignable(chart),
@@ -89,7 +90,7 @@ export class ChartTools {
       { ...RESHAPING.rectify, act: () => this.reshape('rectified') },
       { ...RESHAPING.relax, act: () => this.reshape('relaxed') },
     ]);
-    this.choice = new ChartChoice(events.selection, {
+    this.choice = new ChartChoice(events.selection, workshop, {
       layout: () => events.layout(),
       draw: (kind) => this.areas.announce(kind),
       say: events.say,

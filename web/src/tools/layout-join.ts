@@ -96,7 +96,7 @@ export class LayoutJoin {
     }
     this.isShown = true;
     const of = this.edgesOf(model);
-    const inSeam = new Set(seam);
+    const inSeam = new Set(model.alike(seam));
     const picker = this.events.outlines()?.picker;
     const both = [...(of?.keys() ?? [])].filter((edge) => inSeam.has(of?.[edge] ?? -1));
     this.marks.show(picker ? both.map((edge) => picker.sideOf(edge)) : []);

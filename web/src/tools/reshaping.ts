@@ -1,6 +1,6 @@
 import type { Abflat, FlattenOptions } from 'abflat';
 import { type ChartMesh, type Coordinates, reshaped } from '../arrange/chart-mesh';
-import { isMirrored, type OwnMesh, ownMesh } from '../arrange/own-mesh';
+import { filled, isMirrored, type OwnMesh, ownMesh } from '../arrange/own-mesh';
 import { gridLayout } from '../arrange/quad-grid';
 import { rectangleFor } from '../arrange/rectangle';
 import { refitted } from '../arrange/refit';
@@ -62,6 +62,7 @@ async function shapeOf(
 ): Promise<Float64Array> {
   if (isMirrored(mesh)) throw new Error(RESHAPING.mirrored);
   const own = ownMesh(mesh);
+  if (!own) throw new Error(RESHAPING.touches);
   if (how === 'relaxed') {
     const pinned = pins.map((vertex) => ({
       vertex: own.same[vertex],
@@ -84,7 +85,7 @@ async function shapeOf(
   const grid = gridLayout(mesh, own, ownFaces);
   if (grid) return refitted(grid, mesh, true);
   const outline = rectangleFor(mesh, own);
-  if (!outline) throw new Error(own.loop ? RESHAPING.noRectangle : RESHAPING.hasHoles);
+  if (!outline) throw new Error(RESHAPING.noRectangle);
   const places = Array.from(outline, ([vertex, uv]) => ({ vertex, uv }));
   return refitted(await flattened(mesh, own, { pins: places }, events), mesh, true);
 }
@@ -93,18 +94,18 @@ const at = (uv: Float64Array, v: number): [number, number] => [uv[2 * v], uv[2 *
 
 /** Throws if the result is not valid, or there is none. */
 async function flattened(
-  { positions, vertices }: ChartMesh,
-  { indices, same }: OwnMesh,
+  mesh: ChartMesh,
+  own: OwnMesh,
   options: FlattenOptions,
   events: ReshapingEvents,
 ): Promise<Float64Array> {
   const { uv, vertexMap, report } = await events.aside((abflat, signal) =>
-    abflat.flatten({ positions, indices }, { ...options, signal }),
+    abflat.flatten(filled(mesh, own), { ...options, signal }),
   );
   if (!report.valid) throw new Error(report.charts[0].problem);
   const numbers = new Map(Array.from(vertexMap, (vertex, i) => [vertex, i]));
-  return Float64Array.from({ length: 2 * vertices.length }, (_, i) => {
-    const number = numbers.get(same[i >> 1]) ?? 0;
+  return Float64Array.from({ length: mesh.texcoords.length }, (_, i) => {
+    const number = numbers.get(own.same[i >> 1]) ?? 0;
     return uv[2 * number + (i % 2)];
   });
 }

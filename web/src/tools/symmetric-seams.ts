@@ -1,7 +1,7 @@
 import { create, element } from '../base/dom';
 import { svg } from '../plot/svg';
 import type { SeamEditor } from '../seams/seam-editor';
-import { type MirrorMap, mirrorMap, withImages } from '../surface/mirror';
+import { type Mirror, mirrorOf, withImages } from '../surface/mirror';
 import type { SurfaceGraph } from '../surface/surface-graph';
 import { SYMMETRIC } from '../words/choosing';
 
@@ -14,7 +14,7 @@ export interface SymmetricEvents {
 /** A button beside those that edit seams: what is cut or joined on one side is so on the other. */
 export class SymmetricSeams {
   private readonly button = create('button', 'tool');
-  private made: { graph: SurfaceGraph; map: MirrorMap | null } | null = null;
+  private made: { graph: SurfaceGraph; mirror: Mirror | null } | null = null;
 
   constructor(
     editor: SeamEditor,
@@ -39,16 +39,16 @@ export class SymmetricSeams {
 
   private alike(graph: SurfaceGraph, edges: number[]): number[] {
     if (this.button.ariaPressed !== 'true' || edges.length === 0) return edges;
-    const map = this.mapOf(graph);
-    return map ? withImages(graph, map, edges) : edges;
+    const mirror = this.mirrorOf(graph);
+    return mirror ? withImages(graph, mirror, edges) : edges;
   }
 
-  private mapOf(graph: SurfaceGraph): MirrorMap | null {
+  private mirrorOf(graph: SurfaceGraph): Mirror | null {
     if (this.made?.graph !== graph) {
       const positions = this.events.positions();
-      this.made = { graph, map: positions && mirrorMap(graph, positions) };
-      if (!this.made.map) this.events.say(SYMMETRIC.noPlane);
+      this.made = { graph, mirror: positions && mirrorOf(graph, positions) };
+      if (!this.made.mirror) this.events.say(SYMMETRIC.noPlane);
     }
-    return this.made.map;
+    return this.made.mirror;
   }
 }

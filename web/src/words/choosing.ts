@@ -82,7 +82,7 @@ export const RESHAPING = {
   failed: (chart: number, why: string) => `Chart ${chart} stays as it is: ${why}`,
   mirrored: 'it is mirrored',
   noRectangle: 'its outline is not nearly a rectangle',
-  hasHoles: 'it has holes',
+  touches: 'its outline touches itself',
 };
 
 /** Seams that are edited on both sides of a mesh. */

@@ -139,6 +139,16 @@ export class Workshop implements Helpers {
     });
   }
 
+  /** The charts with the outline of one of some charts. */
+  sameShapes(atlas: ChartArrays, charts: Uint32Array): Promise<Set<number>> {
+    return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.sameShapes(own, charts));
+  }
+
+  /** The number of the connected part that each triangle belongs to. */
+  connectedParts({ positions, indices }: DisplayMesh): Promise<Uint32Array> {
+    return this.send([{ positions, indices }], (tasks, mesh) => tasks.connectedParts(mesh));
+  }
+
   stacks(atlas: ChartArrays): Promise<Stacks> {
     return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.stacks(own));
   }
