@@ -111,9 +111,16 @@ test('a drag with another button moves the view, and so does one over a chart', 
   await page.mouse.up({ button: 'middle' });
   await page.mouse.move(0, 0);
   await drawn(page);
+  const moved = await picture();
+  assert.ok(!before.equals(moved));
+  await page.click('#fit');
+  const now = await atlas(page);
+  const [u, v] = await pixelOf(page, middleOf(now.uv[innerFace(now, 0)]));
+  await drag(page, [u, v], [u + 50, v + 30]);
+  await page.mouse.move(0, 0);
+  await drawn(page);
   assert.ok(!before.equals(await picture()));
   assert.ok(await page.isHidden('#selection'));
-  await page.click('#fit');
 });
 
 test('charts are selected by material, object, shape, stretch and mirroring', async (t) => {
@@ -194,8 +201,13 @@ const BOWL = quads(10, 3, (i, j) => [i / 4, j / 4, ((i - 5) ** 2 + 4 * (j - 1.5)
 
 test('an edge is made level, and a part of an outline; locked charts stay', async (t) => {
   const page = await opened(t, 'rings.obj', RINGS);
-  await arrangeAll(page, 'r', '20');
-  await settled(page);
+  for (const [key, number] of [
+    ['s', '.6'],
+    ['r', '20'],
+  ]) {
+    await arrangeAll(page, key, number);
+    await settled(page);
+  }
   const before = await atlas(page);
   const side = outlineSide(before, 0);
   const [a, b] = await Promise.all(side.map((point) => pixelOf(page, point)));
@@ -221,6 +233,30 @@ test('an edge is made level, and a part of an outline; locked charts stay', asyn
   await page.keyboard.press('e');
   await page.keyboard.press('Escape');
   assert.equal(await said(page), 'Nothing was aligned');
+
+  // From one end to the other.
+  await page.click('#fit');
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('e');
+  await drag(page, a, b);
+  await settled(page);
+  const [left, right] = sameSide(before, await atlas(page), side);
+  assert.ok(Math.min(Math.abs(left[0] - right[0]), Math.abs(left[1] - right[1])) < 1e-6);
+  await page.keyboard.press('Control+z');
+  await settled(page);
+
+  await page.mouse.click(
+    ...(await pixelOf(page, middleOf(before.uv[innerFace(before, 0)]))).slice(0, 2),
+  );
+  await page.click('#details-toggle');
+  await page.locator('.chart-table tr[aria-selected="true"] .lock').click();
+  await page.click('#details-close');
+  await drawn(page);
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('e');
+  await page.mouse.click(...middle);
+  assert.equal(await said(page), 'Locked charts stay. Unlock them to move them');
+  assert.deepEqual((await atlas(page)).uv, before.uv);
 });
 
 /** An edge on the outline of the chart of a face, in uv. */
