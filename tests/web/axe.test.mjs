@@ -78,6 +78,9 @@ test('axe finds nothing in the menu of formats and in the sheet of keys', async 
   await page.getByRole('menuitemcheckbox', { name: 'Bake textures' }).click();
   await assertNothingFound(page, 'menu');
   await page.keyboard.press('Escape');
+  await page.click('#select-charts');
+  await assertNothingFound(page, 'selecting');
+  await page.keyboard.press('Escape');
   await page.click('#help');
   await assertNothingFound(page, 'sheet');
 });

@@ -112,6 +112,24 @@ test('places on the ramp go to and fro, and beyond its ends', async () => {
   close(SCALES.stretch.place(1), 0);
 });
 
+test('texels per unit are those of the resolution, and relative where there is none', async () => {
+  const { heatOf } = await load('drawing/heat');
+  const { MEASURES, SCALES } = await load('model/measures');
+  // Two units along each edge become one of uv, and the half of that.
+  const mesh = {
+    positions: Float64Array.of(0, 0, 0, 2, 0, 0, 0, 2, 0, 5, 0, 0, 7, 0, 0, 5, 2, 0),
+    indices: Uint32Array.of(0, 1, 2, 3, 4, 5),
+    uv: Float64Array.of(0, 0, 1, 0, 0, 1, 5, 0, 5.5, 0, 5, 0.5),
+  };
+  const { places, spreads } = heatOf(mesh, Uint32Array.of(0, 1), undefined, 1000);
+  const { mean } = spreads.texels;
+  const { text, value } = SCALES.texels;
+  const at = (f) => text(value(places[MEASURES.length * f + MEASURES.indexOf('texels')]), mean);
+  assert.deepEqual([at(0), at(1)], ['500', '250']);
+  assert.equal(heatOf(mesh).spreads.texels.mean, 0);
+  assert.equal(text(2, 0), '\u00d72.00');
+});
+
 test('shares of the bars add up to the surface, and the worst hundredth is one', async () => {
   const { heatOf } = await load('drawing/heat');
   const { MEASURES, distanceFromBest } = await load('model/measures');

@@ -39,6 +39,7 @@ test('every shading paints both views, and heat maps say what their colours mean
     ['angle', 'Angle error', /^0\s%$/, /^25\s% or more$/],
     ['area', 'Area', /^×0\.50 or less$/, /^×2\.00 or more$/],
     ['stretch', 'Stretch', /^1\.00$/, /^1\.30 or more$/],
+    ['texels', 'Texels per unit', /^[\d.]+ or less$/, /^[\d.]+ or more$/],
   ]) {
     await page.selectOption('#shading', shading);
     const now = await pictures(page);

@@ -163,6 +163,19 @@ test('Charts: each key does what the sheet says', async (t) => {
     await press('Escape');
     assert.ok(await isSelected());
   };
+  /** A drag over a chart selects it. */
+  const draws = (begin) => async () => {
+    await press('Alt+a');
+    await begin();
+    const { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2 + 40, y + height / 2 + 30, { steps: 3 });
+    await page.mouse.up();
+    await page.keyboard.up('Control');
+    assert.ok(await isSelected());
+    await press('Alt+a');
+  };
   const effects = {
     A: async () => {
       await press('a');
@@ -203,7 +216,22 @@ test('Charts: each key does what the sheet says', async (t) => {
       await press('Alt+h');
       assert.ok(!(await isHidden()));
     },
+    B: draws(() => press('b')),
+    Ctrl: draws(() => page.keyboard.down('Control')),
+    I: async () => {
+      await press('Alt+a');
+      await press('i');
+      assert.ok(await isSelected());
+      await press('i');
+      assert.ok(!(await isSelected()));
+    },
+    E: async () => {
+      await press('e');
+      assert.match(await textOf(page, '#run-text'), /^Click an edge/);
+      await press('Escape');
+    },
   };
+  await page.locator('#select-charts').waitFor();
   await page.click('#details-toggle');
   await page.focus('#layout-canvas');
   await press('+');

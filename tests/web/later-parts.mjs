@@ -2,8 +2,10 @@
 
 /** Loaded when there is a layout. */
 export const LATER = [
+  'aiming',
   'appearance',
   'arranging',
+  'chart-tools',
   'gltf-file',
   'help-groups',
   'make-surface',
@@ -16,6 +18,7 @@ export const LATER = [
   'saving-parts',
   'seam-painter',
   'solid',
+  'stacks',
   'writing',
 ];
 

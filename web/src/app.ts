@@ -30,6 +30,7 @@ import { FIRST_SAMPLE } from './opening/open-mesh';
 import { objectsTab, ResultPanels } from './result-panels';
 import { Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
+import { stackParts } from './session/lay-out';
 import { type Left, LeftMeshes } from './session/left-meshes';
 import { Session, type SessionEvents, type Shown } from './session/session';
 import type { Step } from './session/steps';
@@ -71,6 +72,8 @@ export class App implements SessionEvents {
   private readonly later = new LaterParts([
     () => this.workshop.loadRest(),
     () => this.seams.loadRest(),
+    async () => this.tools?.loadRest(),
+    stackParts,
     plots,
     methodTables,
     helpParts,
@@ -113,6 +116,7 @@ export class App implements SessionEvents {
       views &&
       new HandTools(views, this.workshop, this.session, this.controls, {
         isFree: () => this.seams.isIdle,
+        seams: this.seams.editor,
         selected: (states) => this.result.showStates(states),
         pinned: (what) => this.marked(what),
         notPlaced: (why) => {

@@ -1,4 +1,3 @@
-import type { ChartMesh } from './arrange/chart-mesh';
 import { showAlert } from './base/alert';
 import type { LayoutControls } from './layout-controls';
 import type { Outcome } from './model/model';
@@ -10,7 +9,7 @@ import type { Views } from './view/views';
 import { MOVING } from './words/selection';
 import type { Workshop } from './workshop/workshop';
 
-export interface HandEvents extends Pick<ArrangingEvents, 'isFree' | 'selected' | 'say'> {
+export interface HandEvents extends Pick<ArrangingEvents, 'isFree' | 'seams' | 'selected' | 'say'> {
   /** Other vertices are pinned; `what` was done. */
   pinned(what: string): void;
   /** What was about to move stays in place; '' if there is no other reason than that it went wrong. */
@@ -33,7 +32,11 @@ export class HandTools {
       ...events,
       staying: () => controls.locks.staying,
       keptUvs: () => controls.locks.keptUvs,
-      weights: (layout, pins) => this.weights(layout, pins),
+      aside: (work) =>
+        this.session.aside(
+          (abflat, _, signal) => work(abflat, signal),
+          new AbortController().signal,
+        ),
       pinned: (pins, what) => {
         controls.pin(pins);
         events.pinned(what);
@@ -50,6 +53,11 @@ export class HandTools {
       changed: (bounds, what) => controls.paint(bounds, what),
       say: events.say,
     });
+  }
+
+  /** What a first look does not need. */
+  loadRest(): Promise<unknown> {
+    return this.arranging.loadRest();
   }
 
   /** Another mesh was opened; it has no layout yet. */
@@ -77,14 +85,5 @@ export class HandTools {
 
   get selection(): SelectionPanel {
     return this.arranging.selection;
-  }
-
-  /** How a chart follows a pin. */
-  private weights({ positions, indices, texcoords }: ChartMesh, pins: number[]) {
-    const layout = { positions, indices, texcoords };
-    return this.session.aside(
-      async (abflat, _, signal) => (await abflat.pinWeights(layout, pins, { signal })).weights,
-      new AbortController().signal,
-    );
   }
 }

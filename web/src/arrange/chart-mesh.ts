@@ -56,12 +56,9 @@ export const follow = (weights: ArrayLike<number>, v: number, [x, y]: Point): Po
 /** An atlas before and after packing. */
 export type Coordinates = Record<'uv' | 'unpacked', Float64Array>;
 
-/**
- * The coordinates with one chart bent from where it is now, in single precision, as files and
- * graphics cards hold them. Unpacked, it keeps the area of its surface.
- */
+/** The coordinates with one chart bent from where it is now. */
 export function bent(
-  { uv, unpacked }: Coordinates,
+  before: Coordinates,
   mesh: ChartMesh,
   weights: Float64Array,
   by: Point,
@@ -69,11 +66,24 @@ export function bent(
   const own = new Float64Array(mesh.texcoords.length);
   mesh.vertices.forEach((v, i) => {
     const [x, y] = follow(weights, i, by);
-    own[2 * i] = Math.fround(uv[2 * v] + x);
-    own[2 * i + 1] = Math.fround(uv[2 * v + 1] + y);
+    own[2 * i] = before.uv[2 * v] + x;
+    own[2 * i + 1] = before.uv[2 * v + 1] + y;
   });
+  return reshaped(before, mesh, own);
+}
+
+/**
+ * The coordinates with other ones for one chart, in single precision, as files and graphics cards hold them.
+ * Unpacked, it keeps the area of its surface.
+ */
+export function reshaped(
+  { uv, unpacked }: Coordinates,
+  mesh: ChartMesh,
+  shape: Float64Array,
+): Coordinates {
+  const own = shape.map(Math.fround);
   const { positions, indices } = mesh;
-  const scale = Math.sqrt(areaOf(positions, 3, indices) / areaOf(own, 2, indices));
+  const scale = Math.sqrt(areaOf(positions, 3, indices) / areaInUv(own, indices));
   const changed = { uv: uv.slice(), unpacked: unpacked.slice() };
   mesh.vertices.forEach((v, i) => {
     for (const d of [0, 1]) {
@@ -83,6 +93,8 @@ export function bent(
   });
   return changed;
 }
+
+export const areaInUv = (uv: Float64Array, indices: Uint32Array) => areaOf(uv, 2, indices);
 
 /** Of all triangles, whichever way they are turned. */
 function areaOf(points: Float64Array, size: 2 | 3, indices: Uint32Array): number {

@@ -6,7 +6,7 @@ import { areaOf, bestMotion, outlineOf } from './stacks';
 /** Relative to the size of a chart: outlines closer than that are the same. */
 const SAME = 2e-3;
 
-interface Shape {
+export interface Shape {
   chart: number;
   triangles: number[];
   /** Vertices of the outline, in order. */
@@ -56,7 +56,7 @@ function firstOf<T, R>(all: T[], find: (each: T) => R | null): R | null {
   return null;
 }
 
-function shapesOf(arrays: ChartArrays, charts: Uint32Array): Shape[] {
+export function shapesOf(arrays: ChartArrays, charts: Uint32Array): Shape[] {
   const triangles = trianglesOf(arrays.chartOfTriangle, charts);
   return [...charts].map((chart) => {
     const own = triangles.get(chart) ?? [];
@@ -110,7 +110,7 @@ function hasFlips(
 const turnOf = ({ a, b }: Motion) => Math.abs(Math.atan2(b, a));
 
 /** The lengths of an outline's sides, as shares of the longest. */
-function sidesOf(outline: Point[]): Float64Array {
+export function sidesOf(outline: Point[]): Float64Array {
   const lengths = Float64Array.from(outline, ([x, y], i) => {
     const [toX, toY] = outline[(i + 1) % outline.length];
     return Math.hypot(toX - x, toY - y);
@@ -119,14 +119,14 @@ function sidesOf(outline: Point[]): Float64Array {
   return lengths.map((length) => length / longest);
 }
 
-function hasSameSides(a: Float64Array, b: Float64Array, shift: number): boolean {
+export function hasSameSides(a: Float64Array, b: Float64Array, shift: number): boolean {
   for (let i = 0; i < a.length; ++i)
     if (Math.abs(a[i] - b[(i + shift) % b.length]) > 0.02) return false;
   return true;
 }
 
 /** The least squares fit of one outline to the other; null if it leaves too much between them. */
-function closeMotion(from: Point[], to: Point[], shift: number): Motion | null {
+export function closeMotion(from: Point[], to: Point[], shift: number): Motion | null {
   const target = from.map((_, i) => to[(i + shift) % to.length]);
   const motion = bestMotion(from, target);
   const size = Math.hypot(motion.a, motion.b) * spreadOf(from);

@@ -1,7 +1,6 @@
 import { element } from '../base/dom';
-import { meshFileOf } from '../base/mesh-files';
 import type { Outcome, Source, Unwrapped } from '../model/model';
-import type { NamedPart, NamedParts } from '../model/named-parts';
+import { type NamedPart, type NamedParts, NO_PARTS } from '../model/named-parts';
 import type { ChartStates } from '../view/chart-flags';
 import { PARTS } from '../words/objects';
 import type { Workshop } from '../workshop/workshop';
@@ -14,8 +13,6 @@ export interface ObjectsEvents {
   say(text: string): void;
 }
 
-const NOTHING: NamedParts = { objects: [], materials: [] };
-
 /** What the scene consists of and what it is made of: an object and a material per row. */
 export class ObjectsTab {
   private readonly objects: PartTable;
@@ -23,7 +20,7 @@ export class ObjectsTab {
   private outcome: Unwrapped | null = null;
   /** Of the mesh that was shown last. */
   private read: { source: Source; parts: NamedParts } | null = null;
-  private listed = NOTHING;
+  private listed = NO_PARTS;
   private isSeen = false;
 
   constructor(
@@ -46,10 +43,10 @@ export class ObjectsTab {
   async show(outcome: Outcome | null): Promise<void> {
     const shown = outcome?.mode === 'unwrap' ? outcome : null;
     this.outcome = shown;
-    if (!shown) return this.list(NOTHING);
+    if (!shown) return this.list(NO_PARTS);
     const { source } = shown;
     if (this.read?.source !== source) {
-      const parts = await this.partsOf(shown);
+      const parts = await this.workshop.namedParts(shown);
       if (this.outcome !== shown) return;
       this.read = { source, parts };
       const all = [...parts.objects, ...parts.materials].filter(({ isThere }) => isThere);
@@ -61,12 +58,6 @@ export class ObjectsTab {
   showStates(states: ChartStates): void {
     if (!this.isSeen) return;
     for (const table of [this.objects, this.materials]) table.showStates(states);
-  }
-
-  private async partsOf({ source, gltf, mesh }: Unwrapped): Promise<NamedParts> {
-    if (gltf) return gltf.parts;
-    const isObj = source.kind === 'file' && meshFileOf(source.name)?.format === 'obj';
-    return isObj ? this.workshop.objParts(source, mesh) : NOTHING;
   }
 
   private update(): void {

@@ -1,5 +1,5 @@
 import { distortionsOf, sum } from '../mesh/distortion';
-import type { FlatMesh, TriangleAreas } from '../mesh/mesh';
+import { areasOf, type FlatMesh, type TriangleAreas } from '../mesh/mesh';
 import {
   BARS,
   distanceFromBest,
@@ -17,9 +17,17 @@ export interface Heat {
   spreads: Record<Measure, Spread>;
 }
 
-export function heatOf(mesh: FlatMesh, charts?: Uint32Array, sizes?: TriangleAreas): Heat {
-  const found = distortionsOf(mesh, charts, sizes);
-  const areas = found.area3d;
+/** `resolution`: texels along the unit of uv; 0: there are none. */
+export function heatOf(
+  mesh: FlatMesh,
+  charts?: Uint32Array,
+  sizes: TriangleAreas = areasOf(mesh),
+  resolution = 0,
+): Heat {
+  const distortions = distortionsOf(mesh, charts, sizes);
+  const areas = distortions.area3d;
+  const found = { ...distortions, texels: distortions.area.map(Math.sqrt) };
+  const mean = resolution * Math.sqrt(sum(sizes.inUv) / sum(areas));
   const places = new Float32Array(MEASURES.length * areas.length);
   MEASURES.forEach((measure, k) => {
     const { place } = SCALES[measure];
@@ -30,11 +38,8 @@ export function heatOf(mesh: FlatMesh, charts?: Uint32Array, sizes?: TriangleAre
       places[MEASURES.length * f + k] = Number.isFinite(at) ? at : values[f] > 1 ? 2 : -1;
     }
   });
-  const spreadOf = (measure: Measure) => spread(measure, places, areas);
-  return {
-    places,
-    spreads: { angle: spreadOf('angle'), area: spreadOf('area'), stretch: spreadOf('stretch') },
-  };
+  const spreads = MEASURES.map((measure) => [measure, { ...spread(measure, places, areas), mean }]);
+  return { places, spreads: Object.fromEntries(spreads) };
 }
 
 /** To the three corners of each triangle. */
@@ -47,7 +52,7 @@ export function heatOfCorners(places: Float32Array): Float32Array {
   return corners;
 }
 
-function spread(measure: Measure, places: Float32Array, areas: Float64Array): Spread {
+function spread(measure: Measure, places: Float32Array, areas: Float64Array): Omit<Spread, 'mean'> {
   const shares = new Float64Array(BARS);
   const distances = new Float32Array(areas.length);
   const k = MEASURES.indexOf(measure);

@@ -9,6 +9,7 @@ import {
   type TriangleAreas,
   vertexNormals,
 } from '../mesh/mesh';
+import { edgesOfOne, weldInCharts } from '../mesh/outline-edges';
 import { meshCorners } from '../mesh/source-corners';
 import { toUnitSquare } from '../mesh/unit-square';
 import { weld } from '../mesh/weld';
@@ -65,6 +66,8 @@ export type AtlasArrays = Pick<
 
 export interface AtlasSize extends Pick<FlatPicture, 'isOfFile'> {
   tiles: number;
+  /** Texels along a side of a tile. */
+  resolution: number;
   chartCount: number;
   /** The number of each chart's colour, if it has one already; -1 for others. */
   colors?: Float32Array;
@@ -74,7 +77,7 @@ export interface AtlasSize extends Pick<FlatPicture, 'isOfFile'> {
 
 export function atlasPicture(
   atlas: AtlasArrays,
-  { tiles, chartCount, colors, asked, isOfFile }: AtlasSize,
+  { tiles, resolution, chartCount, colors, asked, isOfFile }: AtlasSize,
   input: DisplayMesh,
 ): FlatPicture {
   const { uv, indices, vertexMap, chartOfTriangle, faults } = atlas;
@@ -93,7 +96,7 @@ export function atlasPicture(
     edges,
     // The surface is smooth across seams.
     normals: pick(vertexNormals(input), 3, vertexMap),
-    heat: heatOf(mesh, chartOfTriangle, sizes),
+    heat: heatOf(mesh, chartOfTriangle, sizes, resolution),
     tightened: none,
     resisting: none,
     charts: chartOfTriangle,
@@ -109,34 +112,6 @@ export function atlasPicture(
 /** Those of triangles that have a chart. */
 export const cornersOfCharts = (indices: Uint32Array, charts: Uint32Array, chartCount: number) =>
   indices.filter((_, c) => charts[Math.floor(c / 3)] < chartCount);
-
-/** Vertices at the same point of the same chart count as one; charts may lie on top of each other. */
-function weldInCharts({ uv, indices, chartOfTriangle }: AtlasArrays): Uint32Array {
-  const points = new Float64Array((3 * uv.length) / 2);
-  for (let v = 0; 2 * v < uv.length; ++v) {
-    points[3 * v] = uv[2 * v];
-    points[3 * v + 1] = uv[2 * v + 1];
-  }
-  for (let c = 0; c < indices.length; ++c)
-    points[3 * indices[c] + 2] = chartOfTriangle[Math.floor(c / 3)];
-  return weld(points, 3);
-}
-
-/** Boundary edges after merging vertices: `same` names the representative of each. */
-function edgesOfOne(indices: Uint32Array, same: Uint32Array): Uint32Array {
-  const joined = new Uint32Array(indices.length);
-  let size = 0;
-  for (let c = 0; c < indices.length; c += 3) {
-    const i = same[indices[c]];
-    const j = same[indices[c + 1]];
-    const k = same[indices[c + 2]];
-    if (i === j || j === k || k === i) continue; // no area, no edges
-    joined[size++] = i;
-    joined[size++] = j;
-    joined[size++] = k;
-  }
-  return boundaryEdges(joined.subarray(0, size));
-}
 
 /** The part of a report that is about vertices and edges. */
 export type MarkedChart = Pick<ChartReport, 'bounds' | 'delaunay'>;

@@ -41,7 +41,7 @@ export const CONTROLS: ControlGroup[] = [
     controls: [
       {
         keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
-        gestures: GESTURES.drag,
+        gestures: GESTURES.moveLayout,
         does: HELP.layout.move,
       },
       { keys: ['+', '=', '-'], gestures: GESTURES.wheel, does: HELP.layout.zoom },
@@ -98,7 +98,10 @@ export const CONTROLS: ControlGroup[] = [
       { keys: [], gestures: GESTURES.tap, does: HELP.charts.select },
       { keys: [], gestures: GESTURES.shiftClick, does: HELP.charts.add },
       { keys: ['Enter', 'Space'], does: HELP.charts.middle },
+      { keys: ['B'], gestures: GESTURES.dragBeside, does: HELP.charts.box },
+      { keys: ['Ctrl'], gestures: GESTURES.ctrlDragLayout, does: HELP.charts.lasso },
       { keys: ['A', 'Alt+A'], does: HELP.charts.all },
+      { keys: ['I'], does: HELP.charts.invert },
       { keys: ['.'], does: HELP.charts.frame },
       { keys: ['/'], does: HELP.charts.isolate },
       { keys: ['H', 'Alt+H'], does: HELP.charts.hide },
@@ -107,6 +110,7 @@ export const CONTROLS: ControlGroup[] = [
         gestures: GESTURES.dragMoves,
         does: HELP.charts.move,
       },
+      { keys: ['E'], does: HELP.charts.align },
       { keys: ['Escape'], does: HELP.charts.none },
     ],
   },

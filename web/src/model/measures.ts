@@ -3,7 +3,7 @@
 import { HEAT_MAPS } from '../words/view';
 
 /** In the order of the numbers in `TriangleMarks.heat`. */
-export const MEASURES = ['angle', 'area', 'stretch'] as const;
+export const MEASURES = ['angle', 'area', 'stretch', 'texels'] as const;
 export type Measure = (typeof MEASURES)[number];
 
 interface Scale {
@@ -13,11 +13,14 @@ interface Scale {
   /** 0 at the low end of the ramp and 1 at the high one. Fixed, so that colours compare across layouts and meshes. */
   place(value: number): number;
   value(place: number): number;
-  text(value: number): string;
+  /** `mean`: that of the whole layout, where values are relative to it. */
+  text(value: number, mean: number): string;
   /** Whether the middle of the ramp is the best value, not its low end. */
   isTwoSided: boolean;
 }
 
+const times = (value: number) => `\u00d7${value.toFixed(2)}`;
+const threeDigits = (value: number) => String(Number(value.toPrecision(3)));
 const percent = (value: number) => `${(100 * value).toFixed(0)}\u202f%`;
 
 /** At the high end of the ramp. */
@@ -36,7 +39,7 @@ export const SCALES: Record<Measure, Scale> = {
     ...HEAT_MAPS.area,
     place: (value) => (Math.log2(value) + 1) / 2,
     value: (place) => 2 ** (2 * place - 1),
-    text: (value) => `\u00d7${value.toFixed(2)}`,
+    text: times,
     isTwoSided: true,
   },
   stretch: {
@@ -45,6 +48,13 @@ export const SCALES: Record<Measure, Scale> = {
     value: (place) => 1 + place * (MOST_STRETCH - 1),
     text: (value) => value.toFixed(2),
     isTwoSided: false,
+  },
+  texels: {
+    ...HEAT_MAPS.texels,
+    place: (value) => (Math.log2(value) + 1) / 2,
+    value: (place) => 2 ** (2 * place - 1),
+    text: (value, mean) => (mean > 0 ? threeDigits(value * mean) : times(value)),
+    isTwoSided: true,
   },
 };
 
@@ -57,6 +67,8 @@ export interface Spread {
   shares: Float64Array;
   /** The hundredth of the surface with the worst values lies beyond this distance from the best value, on the ramp. */
   worst: number;
+  /** Of the whole layout, in texels per unit of the mesh; 0 if there are no texels. */
+  mean: number;
 }
 
 /** How far a place on the ramp is from the best value's. */

@@ -16,3 +16,5 @@ export interface NamedParts {
   objects: NamedPart[];
   materials: NamedPart[];
 }
+
+export const NO_PARTS: NamedParts = { objects: [], materials: [] };

@@ -1,16 +1,15 @@
 import { loadPart } from '../base/load-part';
 import { closesSomething, isMessageNext } from '../base/messages';
 import { isTouch } from '../base/touch';
-import { ShortestPaths } from '../surface/shortest-paths';
+import type { ShortestPaths } from '../surface/shortest-paths';
 import { Aim, type Modifiers, modifiersOf } from '../view/aim';
 import type { MeshView } from '../view/mesh-view';
 import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel } from '../view/sight';
 import { SEAMS } from '../words/seams';
-import { edgeAt, edgeAwayFromEnds } from './pick';
-import type { SeamModel } from './seam-model';
+import type { SeamModel, Symmetry } from './seam-model';
 import type { Brush, SeamPainter } from './seam-painter';
-import { endsOf, placeAt, type Targets, targetsOf } from './seam-targets';
+import type { Targets } from './seam-targets';
 import { SeamTools, type Tool } from './seam-tools';
 
 export interface SeamEditorEvents {
@@ -48,6 +47,8 @@ export class SeamEditor {
   private begunOnEdge: Pixel | null = null;
   /** Null until needed. */
   private targets: Targets | null = null;
+  private alike: Symmetry = (_, edges) => edges;
+  readonly symmetry = () => this.alike;
 
   constructor(
     private readonly view: MeshView,
@@ -74,6 +75,19 @@ export class SeamEditor {
   /** Whether clicks on the mesh do nothing here. */
   get isIdle(): boolean {
     return this.tools.tool === null;
+  }
+
+  /** What is to be cut or joined with some edges. */
+  setSymmetry(alike: Symmetry): void {
+    this.alike = alike;
+  }
+
+  /** The seams of which a click removes some; null if it does not. */
+  get joining(): SeamModel | null {
+    if (this.tools.tool !== 'join' || !this.model) return null;
+    if (this.model.isReady) return this.model;
+    void this.events.ready();
+    return null;
   }
 
   /** What paints is not part of the first load. */
@@ -150,7 +164,7 @@ export class SeamEditor {
     const tool = this.toolOf(modifiersOf(event));
     const isMeant = this.tools.isPainting || event.ctrlKey || event.metaKey;
     if (!isMeant || tool === null || !model?.isReady) return null;
-    this.targets ??= targetsOf(model);
+    this.targets ??= model.surface.aiming.targetsOf(model);
     return { model, tool, targets: this.targets };
   }
 
@@ -159,10 +173,7 @@ export class SeamEditor {
     const tool = this.toolOf(modifiers);
     if (!this.model) this.mark(NO_MARKS, '');
     else if (this.offer)
-      this.mark(
-        { ...NO_MARKS, offered: endsOf(this.model.graph, this.offer.edges) },
-        this.offer.text,
-      );
+      this.mark({ ...NO_MARKS, offered: endsIn(this.model, this.offer.edges) }, this.offer.text);
     else if (tool === null) this.mark(NO_MARKS, SEAMS.toSelect);
     else if (!at && !this.paths) this.mark(NO_MARKS, this.invitation(tool));
     else if (!this.model.isReady) {
@@ -226,24 +237,31 @@ export class SeamEditor {
       path.length > 0
         ? SEAMS.cutTo(paths.start, place, path.length, paths.distanceTo(place))
         : toEnd(paths.start);
-    this.mark({ ...NO_MARKS, cut: endsOf(model.graph, path), vertices }, text);
+    this.mark({ ...NO_MARKS, cut: endsIn(model, model.alike(path)), vertices }, text);
   }
 
   private previewStart(model: SeamModel, place: number, loop: number[]): void {
     const begin = this.tools.isPainting ? SEAMS.paintHere : SEAMS.startHere;
     const start = place < 0 ? this.invitation('cut') : begin(place);
     const text = loop.length > 0 ? SEAMS.orCutLoop(start, loop.length) : start;
-    this.mark({ ...NO_MARKS, offered: endsOf(model.graph, loop), vertices: listed(place) }, text);
+    this.mark(
+      { ...NO_MARKS, offered: endsIn(model, model.alike(loop)), vertices: listed(place) },
+      text,
+    );
   }
 
   private previewJoin(model: SeamModel, at: Pixel | null, { shift }: Modifiers): void {
-    const edges = this.seamAt(model, at, shift);
+    this.previewEdges(model, this.seamAt(model, at, shift));
+  }
+
+  /** Marks edges that a click would remove from the seams. */
+  previewEdges(model: SeamModel, edges: number[]): void {
     const vertices = this.paths ? Uint32Array.of(this.paths.start) : NO_MARKS.vertices;
     const isOwn = edges.some((e) => model.own[e]);
     if (edges.length === 0) this.mark({ ...NO_MARKS, vertices }, this.invitation('join'));
     else if (!isOwn) this.mark(NO_MARKS, SEAMS.neededHere(edges.length));
     else {
-      const joined = endsOf(model.graph, edges);
+      const joined = endsIn(model, model.alike(edges));
       this.mark({ ...NO_MARKS, joined, vertices }, SEAMS.joinHere(edges.length));
     }
   }
@@ -288,7 +306,7 @@ export class SeamEditor {
 
   private begin(model: SeamModel, place: number): void {
     this.begunOnEdge = null;
-    this.paths = new ShortestPaths(model.graph, place);
+    this.paths = new model.surface.aiming.ShortestPaths(model.graph, place);
     this.grow();
   }
 
@@ -305,7 +323,11 @@ export class SeamEditor {
   }
 
   private join(model: SeamModel, at: Pixel, { shift }: Modifiers): void {
-    const edges = this.seamAt(model, at, shift);
+    this.joinEdges(model, this.seamAt(model, at, shift));
+  }
+
+  /** Removes edges from the seams. */
+  joinEdges(model: SeamModel, edges: number[]): void {
     if (edges.length === 0) return;
     const count = model.join(edges);
     const what = SEAMS.joined(count);
@@ -315,27 +337,23 @@ export class SeamEditor {
 
   private placeAt(model: SeamModel, at: Pixel | null): number {
     if (!at) return -1;
-    this.targets ??= targetsOf(model);
-    return placeAt(model, this.view.sight, at, this.targets.places);
+    this.targets ??= model.surface.aiming.targetsOf(model);
+    return model.surface.aiming.placeAt(model.surface, this.view.sight, at, this.targets.places);
   }
 
   /** The edges that a double-click would cut. */
   private loopAt(model: SeamModel, at: Pixel): number[] {
-    const edge = edgeAwayFromEnds(model.surface.solid, model.graph, this.view.sight, at);
+    const { aiming, solid } = model.surface;
+    const edge = aiming.edgeAwayFromEnds(solid, model.graph, this.view.sight, at);
     return edge < 0 ? [] : model.loop(edge);
   }
 
   /** The edges of the seam that is aimed at, or with `isOne` only the edge itself. */
   private seamAt(model: SeamModel, at: Pixel | null, isOne: boolean): number[] {
     if (!at) return [];
-    this.targets ??= targetsOf(model);
-    const edge = edgeAt(
-      model.surface.solid,
-      this.view.sight,
-      at,
-      model.graph.ends,
-      this.targets.seams,
-    );
+    this.targets ??= model.surface.aiming.targetsOf(model);
+    const { aiming, solid } = model.surface;
+    const edge = aiming.edgeAt(solid, this.view.sight, at, model.graph.ends, this.targets.seams);
     if (edge < 0) return [];
     return isOne ? [edge] : model.run(edge);
   }
@@ -372,3 +390,6 @@ export class SeamEditor {
 function listed(place: number): Uint32Array {
   return place < 0 ? new Uint32Array() : Uint32Array.of(place);
 }
+
+const endsIn = ({ graph, surface }: SeamModel, edges: number[]): Uint32Array =>
+  surface.aiming.endsOf(graph, edges);

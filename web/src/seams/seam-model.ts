@@ -8,7 +8,12 @@ import { type EdgeFlags, flagsOf, pairsOf, seamRun } from './seam-edges';
 export interface Surface {
   graph: SurfaceGraph;
   solid: Solid;
+  /** What finds it under the pointer. */
+  aiming: typeof import('./aiming');
 }
+
+/** Which edges are cut or joined together. */
+export type Symmetry = (graph: SurfaceGraph, edges: number[]) => number[];
 
 /** The seams of one mesh: what the user wants, and what the atlas on screen has. */
 export class SeamModel {
@@ -25,7 +30,13 @@ export class SeamModel {
   constructor(
     private readonly findSurface: () => Surface | null,
     private asked: SeamChoice = AUTOMATIC,
+    private readonly symmetry: () => Symmetry = () => (_, edges) => edges,
   ) {}
+
+  /** Edges, and those that are to be cut or joined with them. */
+  alike(edges: number[]): number[] {
+    return this.symmetry()(this.graph, edges);
+  }
 
   /** Whether its seams can be edited. */
   get isReady(): boolean {
@@ -81,7 +92,7 @@ export class SeamModel {
   cut(edges: number[]): number {
     const { own } = this;
     return this.set(
-      edges.filter((e) => this.graph.isInner[e] && !own[e]),
+      this.alike(edges).filter((e) => this.graph.isInner[e] && !own[e]),
       1,
     );
   }
@@ -90,7 +101,7 @@ export class SeamModel {
   join(edges: number[]): number {
     const { own } = this;
     return this.set(
-      edges.filter((e) => own[e]),
+      this.alike(edges).filter((e) => own[e]),
       0,
     );
   }

@@ -59,7 +59,7 @@ export class SeamPainter {
     const brush = this.events.begins(event);
     if (!brush) return false;
     const { model, tool, targets } = brush;
-    const place = placeAt(model, this.view.sight, at, targets.places);
+    const place = placeAt(model.surface, this.view.sight, at, targets.places);
     if (place < 0) return false;
     this.stroke =
       tool === 'cut'

@@ -24,6 +24,7 @@ import { SharpControl } from './sharp-control';
 import { SourceControl } from './source-control';
 
 const solids = () => loadPart(import('../surface/solid'));
+const aimings = () => loadPart(import('./aiming'));
 
 /** The choice for another mesh, whose hard edges, islands and materials are its own. */
 function takenOver({ sources, edges }: SeamChoice, isReread: boolean): SeamChoice {
@@ -53,7 +54,7 @@ export interface SeamPanelEvents {
 export class SeamPanel {
   private readonly sources: SourceControl;
   private readonly sharp: SharpControl;
-  private readonly editor: SeamEditor | null;
+  readonly editor: SeamEditor | null;
   private model: SeamModel | null = null;
   private isUnwrapped = false;
   private readonly files: SeamFiles;
@@ -183,7 +184,11 @@ export class SeamPanel {
     this.prepared = startOnce(async () => {
       surface = await this.surfaceOf(mesh);
     });
-    this.model = new SeamModel(() => surface, takenOver(this.choice, mesh.isReread));
+    this.model = new SeamModel(
+      () => surface,
+      takenOver(this.choice, mesh.isReread),
+      this.editor?.symmetry,
+    );
     this.sources.offer(offeredBy(summary));
     this.sources.show(this.choice);
     this.hide();
@@ -207,7 +212,7 @@ export class SeamPanel {
 
   /** What editing takes is not part of the first load. */
   async loadRest(): Promise<void> {
-    await Promise.all([solids(), this.editor?.loadRest()]);
+    await Promise.all([solids(), aimings(), this.editor?.loadRest()]);
     if (!this.isUnwrapped) return;
     await this.prepared();
     this.editor?.update();
@@ -215,9 +220,9 @@ export class SeamPanel {
 
   private async surfaceOf({ mesh, summary }: Editable): Promise<Surface> {
     const made = this.workshop.surface(mesh, summary.disk.ok);
-    const rest = [made, solids(), this.editor?.loadRest()] as const;
-    const [{ graph, solid }, { Solid }] = await Promise.all(rest);
-    return { graph, solid: new Solid(solid) };
+    const rest = [made, solids(), aimings(), this.editor?.loadRest()] as const;
+    const [{ graph, solid }, { Solid }, aiming] = await Promise.all(rest);
+    return { graph, solid: new Solid(solid), aiming };
   }
 
   /** Hides the editor: there is nothing to edit until the open mesh has an atlas. */

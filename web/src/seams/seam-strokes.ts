@@ -36,8 +36,9 @@ export class CutStroke implements SeamStroke {
   }
 
   get marks(): SeamMarks {
-    const cut = endsOf(this.model.graph, this.trail.edges);
-    return { ...NO_MARKS, cut, vertices: Uint32Array.of(this.trail.places[0], this.trail.end) };
+    const { model, trail } = this;
+    const cut = endsOf(model.graph, model.alike(trail.edges));
+    return { ...NO_MARKS, cut, vertices: Uint32Array.of(trail.places[0], trail.end) };
   }
 
   get hint(): string {
@@ -53,7 +54,7 @@ export class CutStroke implements SeamStroke {
     const known = trail.places.length;
     let left = MOST_PLACES;
     for (const at of along) {
-      const place = placeAt(model, sight, at, [...near, ...trail.places.slice(known)]);
+      const place = placeAt(model.surface, sight, at, [...near, ...trail.places.slice(known)]);
       if (place < 0 || place === trail.end) continue;
       const path = this.paths.between(trail.end, place, left);
       if (!path) return;
@@ -81,7 +82,7 @@ export class JoinStroke implements SeamStroke {
   ) {}
 
   get marks(): SeamMarks {
-    return { ...NO_MARKS, joined: endsOf(this.model.graph, this.own) };
+    return { ...NO_MARKS, joined: endsOf(this.model.graph, this.model.alike(this.own)) };
   }
 
   get hint(): string {

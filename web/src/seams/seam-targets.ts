@@ -1,7 +1,8 @@
+import type { Solid } from '../surface/solid';
 import type { SurfaceGraph } from '../surface/surface-graph';
 import type { Pixel, Sight } from '../view/sight';
 import { vertexAt } from './pick';
-import type { SeamModel } from './seam-model';
+import type { EdgeFlags } from './seam-edges';
 
 /** What a click or a stroke can hit. */
 export interface Targets {
@@ -11,7 +12,7 @@ export interface Targets {
   places: number[];
 }
 
-export function targetsOf({ graph, all }: SeamModel): Targets {
+export function targetsOf({ graph, all }: { graph: SurfaceGraph; all: EdgeFlags }): Targets {
   const seams: number[] = [];
   const places = new Set<number>();
   for (let edge = 0; edge < all.length; ++edge) {
@@ -28,7 +29,12 @@ export function endsOf({ ends }: SurfaceGraph, edges: number[]): Uint32Array {
 }
 
 /** The place under a pixel, at one of some others if they are near; -1 if there is none. */
-export function placeAt(model: SeamModel, sight: Sight, at: Pixel, wanted: number[]): number {
-  const vertex = vertexAt(model.surface.solid, sight, at, wanted);
-  return vertex < 0 ? vertex : model.graph.places[vertex];
+export function placeAt(
+  { graph, solid }: { graph: SurfaceGraph; solid: Solid },
+  sight: Sight,
+  at: Pixel,
+  wanted: number[],
+): number {
+  const vertex = vertexAt(solid, sight, at, wanted);
+  return vertex < 0 ? vertex : graph.places[vertex];
 }

@@ -63,7 +63,12 @@ export class ChartSelection implements ChartStates {
 
   /** `count` charts: all that are not hidden. */
   pickAll(count: number): void {
-    const all = Array.from({ length: count }, (_, chart) => chart);
+    this.pickSome(Array(count).keys());
+  }
+
+  /** Those of some charts that are not hidden, instead of all others or with `adds` beside them. */
+  pickSome(charts: Iterable<number>, adds = false): void {
+    const all = [...(adds ? this.picked : []), ...charts];
     this.picked = new Set(all.filter((chart) => !this.away.has(chart)));
     this.changed();
   }

@@ -73,3 +73,11 @@ export function pinNear(
   }
   return nearest;
 }
+
+/** The pinned vertices of a chart, as numbers of its own. */
+export const pinsInChart = (
+  pins: Pins,
+  { indices }: Pick<ChartArrays, 'indices'>,
+  { vertices }: { vertices: Uint32Array },
+): number[] =>
+  [...new Set(pins)].map((each) => vertices.indexOf(indices[each])).filter((v) => v >= 0);

@@ -71,6 +71,10 @@ export class PinTool {
     canvas.addEventListener('keydown', (event) => this.onKey(event));
   }
 
+  get all(): Pins {
+    return this.pins;
+  }
+
   get isActive(): boolean {
     return this.isOn;
   }

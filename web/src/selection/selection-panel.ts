@@ -37,7 +37,7 @@ const NO_CHARTS: ReadonlySet<number> = new Set();
 
 /** Lets the user select charts in either view, and frame, isolate, hide and move them. */
 export class SelectionPanel {
-  private readonly selection = new ChartSelection(() => this.show());
+  readonly selection = new ChartSelection(() => this.show());
   private readonly bar: SelectionBar;
   private readonly density: DensityField;
   private readonly densityLabel = element('selection-density-label', HTMLElement);
@@ -94,6 +94,11 @@ export class SelectionPanel {
   /** Selects and hides these charts and no others. */
   put(selected: ReadonlySet<number>, hidden: ReadonlySet<number>): void {
     this.selection.put(selected, hidden);
+  }
+
+  /** Whether clicks and drags in the layout are for charts, and nothing is being moved. */
+  get isFree(): boolean {
+    return this.report !== null && !this.mover.isActive && !this.pins.isActive;
   }
 
   /** Selects one chart instead of the others. */

@@ -1,11 +1,15 @@
 import type { Abflat, AbflatError, UnwrapOptions } from 'abflat';
 import { copied } from '../base/buffers';
+import { loadPart } from '../base/load-part';
 import { exportFormatOf } from '../base/mesh-files';
 import type { AnyProgress, Flattened, Opened, Outcome, Unwrapped } from '../model/model';
 import { type FlattenSettings, sameButSeams, type UnwrapSettings } from '../model/settings';
 import { stackedCharts, stacksIn, withStacks } from '../model/stacks';
 import type { ExportFormat } from '../words/generated-formats';
-import { judged, keepingStacks, type StackHelpers } from './stacks';
+import type { StackHelpers } from './stacks';
+
+/** What judges and keeps charts that were moved is not part of the first load. */
+export const stackParts = () => loadPart(import('./stacks'));
 
 interface Watch {
   signal: AbortSignal;
@@ -104,17 +108,21 @@ export async function layOut(
     return { mode, source, mesh, gltf, settings, ...rest, stacks, unstacked };
   };
   const runs = { abflat, input, helpers, signal: watch.signal };
-  const packed = (known: Earlier) => {
+  const packed = async (known: Earlier): Promise<Packed> => {
     const { faceDensities, fixedFaces } = settings;
     const isByHand = settings.stack === 'none' && last?.settings.stack === 'none';
     // Charts that take the uv of the file leave their stacks.
-    if (!isByHand || !last?.stacks || fixedFaces !== last.settings.fixedFaces)
-      return unwrap(known).then((result) => ({ result, stacks: stacksIn(result.report) }));
+    if (!isByHand || !last?.stacks || fixedFaces !== last.settings.fixedFaces) {
+      const result = await unwrap(known);
+      return { result, stacks: stacksIn(result.report) };
+    }
+    const { keepingStacks } = await stackParts();
     return keepingStacks(last, last.stacks, { ...known, faceDensities }, unwrap, runs);
   };
   if (!known.keepsPlaces) return made(await packed(known));
   try {
-    return made(await judged(await unwrap(known), runs));
+    const [{ judged }, result] = await Promise.all([stackParts(), unwrap(known)]);
+    return made(await judged(result, runs));
   } catch (error) {
     if ((error as AbflatError).code !== 'AtlasTooSmall') throw error;
     // Beside the charts that stay there is no room for the others at the density asked for.

@@ -13,9 +13,9 @@ function shareText(share: number): string {
 }
 
 /** The range of a bar in words, such as "Area ×0.50 to ×0.54". */
-function rangeText(measure: Measure, bar: number): string {
+function rangeText(measure: Measure, bar: number, mean: number): string {
   const { title, value, text, isTwoSided } = SCALES[measure];
-  const [from, to] = [text(value(bar / BARS)), text(value((bar + 1) / BARS))];
+  const [from, to] = [bar, bar + 1].map((end) => text(value(end / BARS), mean));
   if (bar === BARS - 1) return HEAT_LEGEND.andMore(`${title} ${from}`);
   if (bar === 0 && isTwoSided) return HEAT_LEGEND.andLess(`${title} ${to}`);
   return HEAT_LEGEND.fromTo(title, from, to);
@@ -68,9 +68,9 @@ export class HeatLegend {
     const { title, explanation, value, text, isTwoSided } = SCALES[measure];
     this.title.textContent = title;
     this.title.title = explanation;
-    const low = text(value(0));
+    const low = text(value(0), spread.mean);
     this.low.textContent = isTwoSided ? HEAT_LEGEND.andLess(low) : low;
-    this.high.textContent = HEAT_LEGEND.andMore(text(value(1)));
+    this.high.textContent = HEAT_LEGEND.andMore(text(value(1), spread.mean));
     this.ramp.classList.toggle('two-sided', isTwoSided);
     this.columns.forEach((column, bar) => {
       (column.firstElementChild as HTMLElement).style.height = heightOf(spread.shares[bar]);
@@ -118,8 +118,9 @@ export class HeatLegend {
   }
 
   private lineOf(bar: number): string {
-    const share = this.spread?.shares[bar] ?? 0;
-    return HEAT_LEGEND.ofSurface(rangeText(this.measure, bar), shareText(share));
+    if (!this.spread) return '';
+    const { shares, mean } = this.spread;
+    return HEAT_LEGEND.ofSurface(rangeText(this.measure, bar, mean), shareText(shares[bar]));
   }
 
   /** The bars are one stop of the Tab key; arrows move between them. */

@@ -14,8 +14,8 @@ const VERTEX = /* glsl */ `
   ${LOOK_VERTEX_GLSL}
   uniform bool showsMaterials;
 #ifdef HEAT
-  attribute vec3 heat;
-  flat varying vec3 vHeat;
+  attribute vec4 heat;
+  flat varying vec4 vHeat;
 #endif
   ${FLAGS_GLSL}
   ${MOTION_GLSL}
@@ -49,7 +49,7 @@ const FRAGMENT = /* glsl */ `
   ${EDGE_GLSL}
 #ifdef HEAT
   ${HEAT_GLSL}
-  flat varying vec3 vHeat;
+  flat varying vec4 vHeat;
 #endif
 #ifdef PICTURE
   ${PICTURE_GLSL}

@@ -36,7 +36,7 @@ export const HEAT_GLSL = /* glsl */ `
   uniform bool isTwoSided;
   uniform vec2 chosen;
   uniform bool choosesByDistance;
-  vec3 heatColor(vec3 places) {
+  vec3 heatColor(vec4 places) {
     float x = clamp(places[measure], 0.0, 1.0);
     if (isTwoSided) {
       vec3 end = x < 0.5 ? twoSided[0] : twoSided[2];
@@ -47,7 +47,7 @@ export const HEAT_GLSL = /* glsl */ `
     for (int i = 1; i < ${RAMP_SIZE}; ++i) color = mix(color, ramp[i], clamp(x - float(i - 1), 0.0, 1.0));
     return color;
   }
-  bool isChosen(vec3 places) {
+  bool isChosen(vec4 places) {
     float x = places[measure];
     if (choosesByDistance && isTwoSided) x = abs(x - 0.5);
     return x >= chosen.x && x <= chosen.y;

@@ -14,7 +14,7 @@ const SLICE = 1 << 17;
 /** Milliseconds per frame for uploads: more would block the page. */
 const UPLOADING = 8;
 
-const SIZES = { position: 3, normal: 3, uv: 2, heat: 3, chart: 1, piece: 1, source: 1 };
+const SIZES = { position: 3, normal: 3, uv: 2, heat: 4, chart: 1, piece: 1, source: 1 };
 /** What a layout marks on its triangles. */
 export const MARKS = ['heat', 'chart', 'piece', 'source'] as const;
 

@@ -31,8 +31,8 @@ const VERTEX = /* glsl */ `
   varying vec3 vCorner;
 #endif
 #ifdef HEAT
-  attribute vec3 heat;
-  flat varying vec3 vHeat;
+  attribute vec4 heat;
+  flat varying vec4 vHeat;
 #endif
   varying vec3 vView;
   varying vec2 vUv;
@@ -65,7 +65,7 @@ const FRAGMENT = /* glsl */ `
 #endif
 #ifdef HEAT
   ${HEAT_GLSL}
-  flat varying vec3 vHeat;
+  flat varying vec4 vHeat;
 #endif
 #ifdef PICTURE
   ${PICTURE_GLSL}

@@ -28,6 +28,10 @@ export const HEAT_MAPS = {
     title: 'Stretch',
     explanation: 'Symmetric Dirichlet energy / 4 of each triangle; 1 keeps all lengths',
   },
+  texels: {
+    title: 'Texels per unit',
+    explanation: 'Texels along an edge per unit of the mesh; in one piece, relative to the average',
+  },
 };
 
 /** `title`: what is measured; values and shares come as texts. */

@@ -87,6 +87,12 @@ const tasks = {
   stacked: async (arrays: ChartArrays, charts: Uint32Array, fixed: Uint32Array): Promise<Motions> =>
     (await arranging()).stacked(arrays, charts, fixed),
 
+  sameShapes: async (arrays: ChartArrays, charts: Uint32Array): Promise<Set<number>> =>
+    (await arranging()).sameShapes(arrays, charts),
+
+  connectedParts: async (mesh: DisplayMesh): Promise<Uint32Array> =>
+    handedOver((await arranging()).connectedParts(mesh)),
+
   stacks: async (arrays: ChartArrays): Promise<Stacks> => (await arranging()).stacksOf(arrays),
 
   apart: async (arrays: ChartArrays, stacks: Stack[], rows: number) =>

@@ -3,6 +3,7 @@ import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf, copied } from '../base/buffers';
+import { meshFileOf } from '../base/mesh-files';
 import type { AtlasArrays, AtlasSize } from '../drawing/picture';
 import type { NamedMesh } from '../files/joined-obj';
 import type { AtlasDrawing } from '../files/svg-text';
@@ -19,7 +20,7 @@ import type {
   Outcome,
   Unwrapped,
 } from '../model/model';
-import type { NamedParts } from '../model/named-parts';
+import { NO_PARTS } from '../model/named-parts';
 import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
@@ -76,12 +77,14 @@ export class Workshop implements Helpers {
     if (mode === 'pack') {
       const { islandOfTriangle: chartOfTriangle, faults, report } = result;
       const marked = outcome.settings.keepPlaces ? { faults } : {};
-      const size = { tiles: report.tiles, chartCount: report.islands, isOfFile: true };
+      const { tiles, resolution, islands: chartCount } = report;
+      const size = { tiles, resolution, chartCount, isOfFile: true };
       return this.atlas({ ...arrays, chartOfTriangle, ...marked }, size, mesh);
     }
     const { chartOfTriangle, report } = result;
     const asked = outcome.settings.faceDensities;
-    const size = { tiles: report.atlas.tiles, chartCount: report.charts.length, asked };
+    const { tiles, resolution } = report.atlas;
+    const size = { tiles, resolution, chartCount: report.charts.length, asked };
     return this.atlas({ ...arrays, chartOfTriangle }, size, mesh);
   }
 
@@ -136,6 +139,16 @@ export class Workshop implements Helpers {
       if (how === 'stacked') return tasks.stacked(own, charts, fixed);
       return tasks.evened(own, layout, input, charts);
     });
+  }
+
+  /** The charts with the outline of one of some charts. */
+  sameShapes(atlas: ChartArrays, charts: Uint32Array): Promise<Set<number>> {
+    return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.sameShapes(own, charts));
+  }
+
+  /** The number of the connected part that each triangle belongs to. */
+  connectedParts({ positions, indices }: DisplayMesh): Promise<Uint32Array> {
+    return this.send([{ positions, indices }], (tasks, mesh) => tasks.connectedParts(mesh));
   }
 
   stacks(atlas: ChartArrays): Promise<Stacks> {
@@ -231,8 +244,12 @@ export class Workshop implements Helpers {
     return this.send([own], (tasks, mesh) => tasks.appearance(source, mesh));
   }
 
-  /** Objects and materials of an OBJ. */
-  objParts({ file }: FileSource, { indices, faces }: DisplayMesh): Promise<NamedParts> {
+  /** Objects and materials of a glTF or an OBJ; other meshes have none. */
+  async namedParts({ source, gltf, mesh }: Pick<Opened, 'source' | 'gltf' | 'mesh'>) {
+    if (gltf) return gltf.parts;
+    if (source.kind !== 'file' || meshFileOf(source.name)?.format !== 'obj') return NO_PARTS;
+    const { file } = source;
+    const { indices, faces } = mesh;
     return this.send([{ faces }], (tasks, own) =>
       tasks.objParts(file, indices.length / 3, own.faces),
     );

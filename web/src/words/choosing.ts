@@ -1,0 +1,93 @@
+// Charts that are chosen by an area, or by what they are.
+
+import { count, counted, measure } from './format';
+
+export const CHOOSING = {
+  button: 'Select…',
+  title: 'Select charts by an area, their material, stretch, shape and more',
+  menu: 'Select charts',
+  box: 'Box',
+  lasso: 'Lasso',
+  all: 'All',
+  none: 'None',
+  invert: 'Invert',
+  material: 'Same material',
+  group: 'Same object',
+  shape: 'Same shape',
+  overlapping: 'Overlapping',
+  flipped: 'Flipped',
+  stretched: 'Stretched beyond',
+  about: {
+    box: 'Drag a box: all charts that it touches are selected. Shift adds them',
+    lasso: 'Draw around charts: all that it touches are selected. Shift adds them',
+    invert: 'Select what is not selected, and nothing else',
+    material: 'Add the charts with a material of the selected ones',
+    group:
+      'Add the charts of the objects that the selected ones are part of: those of an OBJ, or else connected parts',
+    shape: 'Add the charts with the outline of a selected one, turned, mirrored or of another size',
+    overlapping: 'Select charts that overlap others or are stacked',
+    flipped: 'Select charts with faces that are mirrored',
+  },
+  aboutStretched: (limit: number) => `Select charts whose stretch is above ${limit}`,
+  toDraw: {
+    box: 'Drag a box around charts. Esc cancels',
+    lasso: 'Draw around charts. Esc cancels',
+  },
+  selected: (charts: number) => `Selected ${counted(charts, 'chart')}`,
+  noneInArea: 'No chart is there',
+  noneFound: {
+    material: 'No other chart has one of these materials',
+    group: 'No other chart is part of these objects',
+    shape: 'No other chart has this shape',
+    overlapping: 'No charts overlap',
+    flipped: 'No face is mirrored',
+  },
+  noneStretched: (limit: number, most: number) =>
+    `No chart is stretched beyond ${limit}; the most is ${measure(most)}`,
+};
+
+/** An edge of a chart's outline that is made level or upright. */
+export const LEVELLING = {
+  item: {
+    text: 'Align edge',
+    key: 'E',
+    about: 'Rotate a chart so that an edge of its outline is level or upright',
+  },
+  toChoose:
+    'Click an edge of a chart, or drag from one point of its outline to another. Esc cancels',
+  noEdge: 'There is no edge of a chart here',
+  isLevel: 'This edge is level or upright already',
+  cancelled: 'Nothing was aligned',
+};
+
+/** Charts that get another shape in their place. */
+export const RESHAPING = {
+  rectify: {
+    text: 'Rectify',
+    about: 'Make a grid of quads, or a chart that is nearly a rectangle, exactly one, in its place',
+  },
+  relax: {
+    text: 'Relax',
+    about:
+      'Lay each chart out again, in its place, so that its lengths change as little as possible. Pins stay',
+  },
+  doing: { rectified: 'Rectifying…', relaxed: 'Relaxing…' },
+  done: { rectified: 'Rectified', relaxed: 'Relaxed' },
+  of: (done: string, charts: number[], left: number) => {
+    const [chart] = charts;
+    const which = charts.length === 1 ? `chart ${chart}` : counted(charts.length, 'chart');
+    const others = left === 1 ? '; 1 stays as it is' : `; ${count(left)} stay as they are`;
+    return `${done} ${which}${left > 0 ? others : ''}`;
+  },
+  failed: (chart: number, why: string) => `Chart ${chart} stays as it is: ${why}`,
+  mirrored: 'it is mirrored',
+  noRectangle: 'its outline is not nearly a rectangle',
+  touches: 'its outline touches itself',
+};
+
+/** Seams that are edited on both sides of a mesh. */
+export const SYMMETRIC = {
+  button: 'Symmetric',
+  title: 'Cut and join on both sides: at the mirror image of each edge, too',
+  noPlane: 'This mesh is not its own mirror image, so only the edges under the pointer change',
+};
