@@ -14,7 +14,7 @@ import { meshFileOf } from '../base/mesh-files';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from './drawing';
 import type { FlattenSettings, PackSettings, UnwrapSettings } from './settings';
-import type { Stack, Stacks } from './stacks';
+import type { FileStacks, Stack, Stacks } from './stacks';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
 export type Source = { kind: 'sample'; name: string } | FileSource;
@@ -115,6 +115,8 @@ export interface Packed extends Made {
   mode: 'pack';
   settings: PackSettings;
   result: PackResult;
+  /** Undefined if nothing overlaps, or the islands are packed. */
+  fileStacks?: FileStacks;
 }
 
 export type Outcome = Flattened | Unwrapped | Packed;
@@ -127,6 +129,8 @@ export interface Helpers {
   outcome(outcome: Outcome): Promise<FlatDrawing>;
   gltf(source: FileSource, signal: AbortSignal): Promise<GltfFile>;
   joined(mesh: ArrayMesh): Promise<ArrayMesh>;
+  /** Islands of a file that share texels on purpose. */
+  fileStacks(packed: Packed): Promise<FileStacks>;
   /** Charts of an atlas that share texels. */
   stacks(atlas: AtlasLayout): Promise<Stacks>;
   /** See arrange/stacks.ts. */

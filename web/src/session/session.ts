@@ -1,6 +1,7 @@
 import type { Abflat, MeshFile, MeshInput } from 'abflat';
 import { Background } from '../base/background';
 import { copied } from '../base/buffers';
+import { loadPart } from '../base/load-part';
 import { lostOf } from '../base/lost';
 import { asDisk } from '../mesh/as-disk';
 import type { FlatDrawing } from '../model/drawing';
@@ -10,13 +11,14 @@ import {
   isGltf,
   type Opened,
   type Outcome,
+  type Packed,
   type Source,
 } from '../model/model';
 import type { Settings } from '../model/settings';
 import { READING } from '../words/opening';
 import { layOut } from './lay-out';
 import { currentStep, type Left } from './left-meshes';
-import { packUvs } from './pack-uvs';
+import type { packUvs } from './pack-uvs';
 import { notSupported } from './words';
 
 export interface SessionEvents {
@@ -184,7 +186,7 @@ export class Session {
       const abflat = await this.abflat();
       const outcome =
         settings.mode === 'pack'
-          ? await packUvs(abflat, opened, settings, watch)
+          ? await this.uvsOfFile(abflat, opened, settings, watch)
           : await layOut(abflat, opened, settings, last, watch, helpers);
       if (controller !== this.running) return;
       const drawing = await this.helpers.outcome(outcome);
@@ -193,6 +195,11 @@ export class Session {
     } catch (error) {
       this.end(controller, () => this.events.failed(opened.source, settings, explained(error)));
     }
+  }
+
+  private async uvsOfFile(...run: Parameters<typeof packUvs>): Promise<Packed> {
+    const part = await loadPart(import('./pack-uvs'));
+    return part.tellStacks(await part.packUvs(...run), this.helpers);
   }
 
   private begin(): AbortController {

@@ -17,9 +17,10 @@ import type {
   LayoutArrays,
   Opened,
   Outcome,
+  Packed,
   Unwrapped,
 } from '../model/model';
-import type { Stack, Stacks } from '../model/stacks';
+import type { FileStacks, Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
 import { explained, inOwnWorker, type Running, startWorker } from './start-worker';
@@ -74,7 +75,9 @@ export class Workshop implements Helpers {
     const arrays = { uv, indices, vertexMap, positions };
     if (mode === 'pack') {
       const { islandOfTriangle: chartOfTriangle, faults, report } = result;
-      const marked = outcome.settings.keepPlaces ? { faults } : {};
+      const marked = outcome.settings.keepPlaces
+        ? { faults: outcome.fileStacks?.faults ?? faults }
+        : {};
       const size = { tiles: report.tiles, chartCount: report.islands, isOfFile: true };
       return this.atlas({ ...arrays, chartOfTriangle, ...marked }, size, mesh);
     }
@@ -139,6 +142,14 @@ export class Workshop implements Helpers {
 
   stacks(atlas: ChartArrays): Promise<Stacks> {
     return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.stacks(own));
+  }
+
+  fileStacks({ result, mesh }: Packed): Promise<FileStacks> {
+    const { uv, indices, islandOfTriangle: chartOfTriangle, faults } = result;
+    return this.send(
+      [{ uv, indices, chartOfTriangle }, { faults }, { faces: mesh.faces }],
+      (tasks, own, { faults }, { faces }) => tasks.fileStacks(own, faults, faces),
+    );
   }
 
   apart(atlas: ChartArrays, stacks: Stack[], rows: number): Promise<Float64Array | null> {
@@ -233,6 +244,11 @@ export class Workshop implements Helpers {
   /** The mesh with vertices at the same point joined. */
   joined(mesh: ArrayMesh): Promise<ArrayMesh> {
     return this.send([mesh], (tasks, own) => tasks.joined(own));
+  }
+
+  /** The files in an archive. */
+  unzipped(archive: File): Promise<File[]> {
+    return this.send([], (tasks) => tasks.unzipped(archive));
   }
 
   /** The meshes as one OBJ. */
