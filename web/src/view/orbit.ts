@@ -190,12 +190,13 @@ export class Orbit {
       '9': () => this.turnRound(),
     };
     // Without Num Lock, digits of the number pad have other names.
-    const digit = event.code.replace('Numpad', '');
-    const key = digit in SIDES || digit in actions ? digit : event.key;
+    const isPad = event.location === KeyboardEvent.DOM_KEY_LOCATION_NUMPAD;
+    const digit = event.code.slice(-1);
+    const key = isPad && (digit in SIDES || digit in actions) ? digit : event.key;
     const side = SIDES[key];
     const isCtrl = event.ctrlKey || event.metaKey;
     const action = side ? () => this.lookFrom(side, isCtrl) : !isCtrl && actions[key];
-    if (!action || event.altKey) return;
+    if (!action || event.altKey || (isCtrl && event.shiftKey)) return;
     event.preventDefault();
     action();
   }
