@@ -36,6 +36,7 @@ const CONTENTS = {
     'node_modules/ktx-parse',
     'node_modules/draco3d',
     'node_modules/meshoptimizer',
+    'node_modules/fflate',
   ],
 };
 

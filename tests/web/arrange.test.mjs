@@ -20,7 +20,7 @@ const SIZE = 1024;
 async function select(page, { uv }, face = 0) {
   const [x, y, side] = await pixelOf(page, middleOf(uv[face]));
   await page.mouse.click(x, y);
-  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: /);
+  assert.match(await textOf(page, '#selection-text'), /^Island \d+: /);
   return { x, y, side };
 }
 
@@ -48,7 +48,7 @@ async function placed(page) {
   await drawn(page);
 }
 
-test('a selected chart is dragged, what it does is checked, and it is undone', async (t) => {
+test('a selected island is dragged, what it does is checked, and it is undone', async (t) => {
   const page = await openPage(t, { open: ['rings.obj', RINGS] });
   const before = await atlas(page);
   const { x, y, side } = await select(page, before);
@@ -65,10 +65,10 @@ test('a selected chart is dragged, what it does is checked, and it is undone', a
   assert.match(await textOf(page, '#selection-text'), /^Move u 0\.\d+, v 0\.\d+ \(/);
   await page.mouse.up();
   await placed(page);
-  assert.match(await textOf(page, '#run-text'), /^Moved chart \d+, checked in .*, not valid$/);
+  assert.match(await textOf(page, '#run-text'), /^Moved island \d+, checked in .*, not valid$/);
   assert.match(await textOf(page, '#badge'), /^Not valid$/);
-  assert.match(await textOf(page, '#marks'), /^\d charts? (is|are) not valid$/);
-  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: /, 'it stays selected');
+  assert.match(await textOf(page, '#marks'), /^\d islands? (is|are) not valid$/);
+  assert.match(await textOf(page, '#selection-text'), /^Island \d+: /, 'it stays selected');
   const after = await atlas(page);
   const shift = shiftOf(before, after, 0);
   assert.ok(Math.abs(shift[0] - 30 / side) < 2e-3 && Math.abs(shift[1] - 20 / side) < 2e-3);
@@ -122,7 +122,7 @@ test('G, R and S move, turn and scale by pointer, arrows and numbers; Escape put
   await placed(page);
   await press('s', '0', '.', '5', 'Enter');
   await placed(page);
-  assert.match(await textOf(page, '#run-text'), /^Scaled chart \d+, checked/);
+  assert.match(await textOf(page, '#run-text'), /^Scaled island \d+, checked/);
   const sizeOf = ({ uv, ofFace }) => {
     const corners = uv.filter((_, f) => ofFace[f] === before.ofFace[0]).flat();
     return [0, 1].map(
@@ -139,7 +139,7 @@ test('G, R and S move, turn and scale by pointer, arrows and numbers; Escape put
   );
 });
 
-test('a seam is cut elsewhere: charts stay where they were moved to', async (t) => {
+test('a seam is cut elsewhere: islands stay where they were moved to', async (t) => {
   const page = await openPage(t, { open: ['rings.obj', RINGS] });
   const before = await atlas(page);
   await select(page, before);
@@ -170,7 +170,7 @@ test('a seam is cut elsewhere: charts stay where they were moved to', async (t) 
   assert.equal(await textOf(page, '#badge'), 'Valid');
 });
 
-test('locked charts cannot be moved; what else is selected can', async (t) => {
+test('locked islands cannot be moved; what else is selected can', async (t) => {
   const page = await openPage(t, { open: ['rings.obj', RINGS] });
   const before = await atlas(page);
   const { x, y } = await select(page, before);
@@ -178,7 +178,7 @@ test('locked charts cannot be moved; what else is selected can', async (t) => {
   await page.locator('.chart-table tr[aria-selected="true"] .lock').click();
   await page.focus('#layout-canvas');
   await page.keyboard.press('g');
-  assert.equal(await textOf(page, '#run-text'), 'Locked charts stay. Unlock them to move them');
+  assert.equal(await textOf(page, '#run-text'), 'Locked islands stay. Unlock them to move them');
   await page.click('#details-close');
   await drawn(page);
   await page.mouse.move(x, y);
@@ -197,7 +197,7 @@ test('locked charts cannot be moved; what else is selected can', async (t) => {
   assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 1);
 });
 
-test('the menu stacks charts of the same shape, straightens and evens out', async (t) => {
+test('the menu stacks islands of the same shape, straightens and evens out', async (t) => {
   const page = await openPage(t, {
     open: ['boxes.obj', objText(boxArray(2))],
   });
@@ -212,8 +212,8 @@ test('the menu stacks charts of the same shape, straightens and evens out', asyn
     await placed(page);
   };
   await arrange('stacked');
-  assert.match(await textOf(page, '#run-text'), /^Stacked \d+ charts.*, checked in [^,]*$/);
-  assert.match(await textOf(page, '#reason'), /^\d+ charts stacked, no other overlaps$/);
+  assert.match(await textOf(page, '#run-text'), /^Stacked \d+ islands.*, checked in [^,]*$/);
+  assert.match(await textOf(page, '#reason'), /^\d+ islands stacked, no other overlaps$/);
   const boxes = ({ uv, ofFace }) => {
     const found = new Map();
     uv.forEach((corners, f) => {
@@ -224,11 +224,11 @@ test('the menu stacks charts of the same shape, straightens and evens out', asyn
     return new Set([...found.values()].map((low) => low.map((x) => x.toFixed(4)).join(' ')));
   };
   const stacked = await atlas(page);
-  assert.ok(boxes({ uv: stacked.uv, ofFace: before.ofFace }).size < count, 'charts share a place');
+  assert.ok(boxes({ uv: stacked.uv, ofFace: before.ofFace }).size < count, 'islands share a place');
   await arrange('left');
   await arrange('straightened');
   await arrange('evened');
-  assert.match(await textOf(page, '#run-text'), /^Evened out \d+ charts, checked/);
+  assert.match(await textOf(page, '#run-text'), /^Evened out \d+ islands, checked/);
   // By keyboard: the menu opens, leads and closes.
   await page.focus('#selection-arrange');
   await page.keyboard.press('ArrowDown');
@@ -237,12 +237,12 @@ test('the menu stacks charts of the same shape, straightens and evens out', asyn
   assert.ok(await page.isHidden('#arrange-menu'));
 });
 
-test('a finger drags a selected chart, two zoom', async (t) => {
+test('a finger drags a selected island, two zoom', async (t) => {
   const page = await openPage(t, { open: ['rings.obj', RINGS], hasTouch: true });
   const before = await atlas(page);
   const [x, y, side] = await pixelOf(page, middleOf(before.uv[0]));
   await page.touchscreen.tap(x, y);
-  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: /);
+  assert.match(await textOf(page, '#selection-text'), /^Island \d+: /);
   const client = await page.context().newCDPSession(page);
   const touch = (type, ...points) =>
     client.send('Input.dispatchTouchEvent', {

@@ -66,6 +66,7 @@ test('charts are refined as well; each kind of layout has a balance of its own',
 
 test('both sliders, their names and values are within windows of all widths, and what they gained can be read', async (t) => {
   const page = await openPage(t);
+  await page.click('#all-figures');
   for (const mode of ['flatten', 'unwrap']) {
     await choose(page, mode);
     await press(page, mode, 'End', 'ArrowLeft');

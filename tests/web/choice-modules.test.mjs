@@ -50,7 +50,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   const stretched = verdictOf(atlas(1.04, 'none', [chart(1.83), chart(1.2), chart(1)]));
   assert.deepEqual(stretched, {
     badge: 'Stretched',
-    reason: 'Stretch up to 1.83 in 2 of 3 charts; limit 1.04',
+    reason: 'Stretch up to 1.83 in 2 of 3 islands; limit 1.04',
     remedy: 'cut',
   });
   assert.equal(
@@ -79,7 +79,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   );
   assert.deepEqual(verdictOf(bad), {
     badge: 'Not valid',
-    reason: '1 chart is not valid: it folds',
+    reason: '1 island is not valid: it folds',
     remedy: null,
   });
   const outside = 'it extends beyond its tile';
@@ -89,7 +89,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
   const both = [wrong(`${outside}, and ${over}`, moved), wrong(over, moved), wrong(over, moved)];
   assert.deepEqual(verdictOf(atlas(1.04, 'auto', both, false)), {
     badge: 'Not valid',
-    reason: '1 chart outside its tile, 3 charts overlap',
+    reason: '1 island outside its tile, 3 islands overlap',
     remedy: 'pack',
   });
   // Packing helps neither those that stay, nor what folds.
@@ -98,7 +98,7 @@ test('the badge of an atlas tells valid, stretched and not valid apart', async (
     assert.equal(verdictOf(atlas(1.04, 'auto', charts, false)).remedy, null);
 });
 
-test('beside charts that keep the uv of the file, others of another texel density are uneven', async () => {
+test('beside islands that keep the uv of the file, others of another texel density are uneven', async () => {
   const { verdictOf } = await load('details/verdict');
   const given = { solver: 'given', fixed: true };
   /** `densities`: of two charts with uv of the file, then of a new one; all have the same area. */
@@ -116,7 +116,7 @@ test('beside charts that keep the uv of the file, others of another texel densit
   assert.equal(badge([20, 20, 10]), 'Uneven: Texel density 10.0 to 20.0: kept UVs keep theirs');
   assert.match(badge([20, 20, 21]), /^Valid/);
   assert.match(badge([20, 80, 60]), /^Valid/, 'those of the file are as they are');
-  assert.match(badge([20, 20, 60], null), /^Valid/, 'locked charts are meant to differ');
+  assert.match(badge([20, 20, 60], null), /^Valid/, 'locked islands are meant to differ');
 });
 
 test('the badge of a mesh in one piece turns with its lengths', async () => {
@@ -153,21 +153,21 @@ test('faces are those of the file: polygons beside their triangles', async () =>
   assert.equal(facesText(mesh, { faces: 968 }), '968 triangles');
 });
 
-test('where charts are too large, the page says what to do on it', async () => {
+test('where islands are too large, the page says what to do on it', async () => {
   const { failure } = await load('session/words');
   const said = (text) => failure({ name: 'a.obj' }, { mode: 'unwrap' }, text);
   assert.equal(
     said(
       'at 900 texels per unit chart 874 does not fit a tile of 1024 texels. Lower the density to 55.7, or raise the resolution to 16833',
     ),
-    'a.obj was not unwrapped: at 900 texels per unit, one chart does not fit a tile of 1,024\u202fpx. Set Texel density, under More, to auto or to at most 55.7.',
+    'a.obj was not unwrapped: at 900 texels per unit, one island does not fit a tile of 1,024\u202fpx. Set Texel density, under More, to auto or to at most 55.7.',
     'no such resolution is offered',
   );
   assert.equal(
     said(
       'at 90 texels per unit the charts do not fit one tile of 1024 texels. Lower the density to 55.7, raise the resolution to 1683, or allow several tiles',
     ),
-    'a.obj was not unwrapped: at 90 texels per unit, the charts do not fit one tile of 1,024\u202fpx. Set Texel density, under More, to auto or to at most 55.7, choose a resolution of 2,048\u202fpx, or switch on UDIM tiles.',
+    'a.obj was not unwrapped: at 90 texels per unit, the islands do not fit one tile of 1,024\u202fpx. Set Texel density, under More, to auto or to at most 55.7, choose a resolution of 2,048\u202fpx, or switch on UDIM tiles.',
   );
   assert.equal(said('ran out of memory'), 'a.obj was not unwrapped: ran out of memory.');
 });

@@ -27,7 +27,7 @@ const densityOf = ({ uv }, face) => Math.sqrt(areaOf(uv[face]) / areaOf(uv.at(-1
 async function select(page, { uv }, face) {
   const [x, y] = await pixelOf(page, middleOf(uv[face]));
   await page.mouse.click(x, y);
-  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: /);
+  assert.match(await textOf(page, '#selection-text'), /^Island \d+: /);
 }
 
 async function setDensity(page, text) {
@@ -57,7 +57,7 @@ test('a density is set, kept when all is packed anew, by other options and after
   await select(page, before, 0);
   assert.equal(await shown(page), '1');
   await setDensity(page, '2');
-  assert.match(await textOf(page, '#run-text'), /^Density of chart \d+: 2, checked in/);
+  assert.match(await textOf(page, '#run-text'), /^Density of island \d+: 2, checked in/);
   assert.equal(await shown(page), '2');
   isNear(densityOf(await atlas(page), 0), 2);
   await packAgain(page);
@@ -85,7 +85,7 @@ test('a density is set, kept when all is packed anew, by other options and after
   isNear(densityOf(await atlas(page), 0), 2);
 });
 
-test('a chart that is scaled keeps its size beside the others, until densities are even', async (t) => {
+test('an island that is scaled keeps its size beside the others, until densities are even', async (t) => {
   const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
   const before = await atlas(page);
   await select(page, before, FACES);
@@ -99,7 +99,7 @@ test('a chart that is scaled keeps its size beside the others, until densities a
   isNear(densityOf(await atlas(page), FACES), 0.5);
   await page.focus('#layout-canvas');
   await page.keyboard.press('a');
-  assert.equal(await shown(page), '', 'charts of different densities');
+  assert.equal(await shown(page), '', 'islands of different densities');
   await page.keyboard.press('Alt+a');
   assert.ok(await page.isHidden('#selection-density'));
   await select(page, await atlas(page), FACES);
@@ -111,12 +111,12 @@ test('a chart that is scaled keeps its size beside the others, until densities a
   isNear(densityOf(await atlas(page), FACES), 1);
 });
 
-test('a chart that grows beyond the tile and over others is said to do both, and one click packs it', async (t) => {
+test('an island that grows beyond the tile and over others is said to do both, and one click packs it', async (t) => {
   const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
   const before = await atlas(page);
   await select(page, before, 0);
   await setDensity(page, '2.5');
-  assert.equal(await textOf(page, '#reason'), '1 chart outside its tile, 2 charts overlap');
+  assert.equal(await textOf(page, '#reason'), '1 island outside its tile, 2 islands overlap');
   assert.equal(await textOf(page, '#remedy'), 'Repack');
   await page.click('#remedy');
   await settled(page);
@@ -124,7 +124,7 @@ test('a chart that grows beyond the tile and over others is said to do both, and
   assert.equal(await textOf(page, '#badge'), 'Valid');
   const packed = await atlas(page);
   isNear(densityOf(packed, 0), 2.5);
-  assert.deepEqual(packed.ofFace, before.ofFace, 'the same charts');
+  assert.deepEqual(packed.ofFace, before.ofFace, 'the same islands');
 });
 
 test('what is no density is not taken, and Escape takes back what is typed', async (t) => {

@@ -206,6 +206,7 @@ test('on a phone the menus are on the screen, and each entry is in reach of a fi
 test('all statistics are copied as JSON', async (t) => {
   const page = await openPage(t, { own: true });
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.click('#all-figures');
   await page.click('#copy-report');
   await page.waitForFunction(
     () => document.querySelector('#run-text').textContent === 'Statistics copied as JSON',
@@ -225,6 +226,7 @@ test('where the clipboard is refused, the page says what to do', async (t) => {
           Promise.reject(new DOMException('Write permission denied.', 'NotAllowedError'));
       }),
   });
+  await page.click('#all-figures');
   await page.click('#copy-report');
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
   assert.match(

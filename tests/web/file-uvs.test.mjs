@@ -88,7 +88,7 @@ test('islands that overlap, are mirrored, empty or outside are counted and marke
   assert.equal(await textOf(page, '#badge'), 'Not valid');
   const faults = '2 faces overlap, 1 face outside the square, 1 face without area, 1 face flipped';
   assert.equal(await textOf(page, '#reason'), faults);
-  assert.ok((await textOf(page, '#run-text')).endsWith(faults));
+  assert.match(await textOf(page, '#run-text'), /^Checked in .*, not valid$/);
   assert.equal(await textOf(page, '#layout-info'), '5 islands');
   assert.deepEqual((await textOf(page, '#marks')).split(/\n+/), faults.split(', '));
   for (const fault of ['overlapping', 'outside', 'empty', 'flipped'])
@@ -96,6 +96,80 @@ test('islands that overlap, are mirrored, empty or outside are counted and marke
   await pack(page);
   assert.ok(await page.isHidden('#marks'));
   assert.equal(await textOf(page, '#reason'), 'No overlaps, 1 mirrored', 'on purpose, perhaps');
+});
+
+test('islands that are stacked on purpose are told from those that overlap, and all are listed', async (t) => {
+  const place = [0.1, 0.1, 0.25, 0.25];
+  const mirrored = [0.35, 0.1, -0.25, 0.25];
+  const apart = [
+    [0.5, 0.5, 0.25, 0.25],
+    [0.7, 0.7, 0.125, 0.125],
+  ];
+  const page = await openPage(t, {
+    open: ['stacked.obj', patches([place, place, mirrored, ...apart])],
+  });
+  await choose(page, 'pack');
+  const { Overlapping, Stacked, Flipped } = await metrics(page);
+  assert.deepEqual([Overlapping, Stacked, Flipped], ['2', '3', '1']);
+  const faults = '2 faces overlap, 3 faces stacked, 1 face flipped';
+  assert.equal(await textOf(page, '#reason'), faults);
+  assert.deepEqual((await textOf(page, '#marks')).split(/\n+/), faults.split(', '));
+
+  await page.click('#details-toggle');
+  await page.locator('.island-table tbody tr').nth(4).waitFor();
+  const rows = () =>
+    page
+      .locator('.island-table tbody tr')
+      .evaluateAll((rows) =>
+        rows.map((row) => [...row.cells].map((cell) => cell.innerText.trim())),
+      );
+  const byNumber = new Map((await rows()).map((row) => [row[0], row]));
+  assert.deepEqual(
+    [0, 1, 2, 3, 4].map((i) => byNumber.get(String(i))[4]),
+    [
+      'stacked with 1 and 2',
+      'stacked with 0 and 2',
+      '2 flipped, stacked with 0 and 1',
+      '2 overlap',
+      '2 overlap',
+    ],
+  );
+  assert.equal(byNumber.get('0')[2], '20\u202f%');
+  // Squares of side 1 in a texture of 1,024 texels.
+  assert.deepEqual(
+    [0, 3, 4].map((i) => byNumber.get(String(i))[3]),
+    ['256', '256', '128'],
+  );
+  await page.getByRole('button', { name: 'Texels', exact: true }).click();
+  assert.equal((await rows()).at(-1)[0], '4');
+  await page.getByRole('button', { name: 'Show island 4' }).click();
+  // Where something else lies on a stack, all that overlaps is called so.
+  await dropAndWait(page, 'more.obj', patches([place, place, [0.3, 0.3, 0.25, 0.25]]));
+  await choose(page, 'pack');
+  const more = await metrics(page);
+  assert.deepEqual([more.Overlapping, more.Stacked], ['3', '0']);
+});
+
+test('islands in UDIM tiles are not outside', async (t) => {
+  const tiles = [
+    [0.1, 0.1, 0.25, 0.25],
+    [1.5, 0.5, 0.25, 0.25],
+    [2.25, 1.5, 0.5, 0.25],
+  ];
+  const page = await openPage(t, { open: ['tiles.obj', patches(tiles)] });
+  await choose(page, 'pack');
+  assert.equal((await metrics(page)).Outside, '0');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal(await textOf(page, '#layout-info'), '3 islands, 13 tiles');
+  const { path } = await exportMesh(page);
+  assert.deepEqual(
+    parseObj(readFileSync(path, 'utf8')).texcoords,
+    parseObj(patches(tiles)).texcoords,
+  );
+  // Over the edge of a tile, it is.
+  await dropAndWait(page, 'over.obj', patches([...tiles, [2.9, 0.5, 0.25, 0.25]]));
+  await choose(page, 'pack');
+  assert.equal((await metrics(page)).Outside, '3');
 });
 
 test('UVs are exported as they are, bit by bit', async (t) => {
@@ -133,7 +207,7 @@ test('Repack separates islands, keeps their shapes, and is undone like anything 
   await page.keyboard.press('Control+z');
   await settled(page);
   assert.equal(await isPressed(page, '#mode-unwrap'), 'true');
-  assert.ok((await metrics(page)).Charts);
+  assert.ok((await metrics(page)).Islands);
   for (let i = 0; i < 2; ++i) {
     await page.keyboard.press('Control+Shift+z');
     await settled(page);

@@ -30,7 +30,7 @@ test('the first visit shows a sample, unwrapped; flattened it is in one piece', 
   const page = await openPage(t);
   assert.equal(await sampleOf(page), 'head');
   assert.equal(await textOf(page, '#badge'), 'Valid');
-  assert.match(await textOf(page, '#layout-info'), /^\d+ charts?$/);
+  assert.match(await textOf(page, '#layout-info'), /^\d+ islands?$/);
   assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
   await choose(page, 'flatten');
   assert.equal(await textOf(page, '#badge'), 'Valid');

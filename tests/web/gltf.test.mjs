@@ -201,7 +201,7 @@ test('UV islands are those of the texcoord set that is chosen, after a reload, t
   for (const material of plain.getRoot().listMaterials()) material.setBaseColorTexture(null);
   await dropAndWait(page, 'none.glb', await io.writeBinary(plain));
   assert.ok(await page.isHidden('#read-texcoord'));
-  const charts = async () => Number((await metrics(page)).Charts);
+  const charts = async () => Number((await metrics(page)).Islands);
   const counts = [await charts()];
   await dropAndWait(page, 'one.glb', await io.writeBinary((await exported(page)).document));
   assert.ok(await page.isHidden('#read-texcoord'), 'one set leaves no choice');

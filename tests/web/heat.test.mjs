@@ -105,6 +105,7 @@ test('the shading stays with the next mesh, with a histogram of its own', async 
 
 test('a click on a number of the result shows where it is worst', async (t) => {
   const page = await openPage(t, { open: ['torus.obj', TORUS] });
+  await page.click('#all-figures');
   const plain = await pictures(page);
   for (const [label, title] of [
     ['Stretch', 'Stretch'],

@@ -120,7 +120,7 @@ test('no key is missing from the sheet', async (t) => {
   const check = async (places) => {
     const taken = await takenKeys(page, Object.keys(places));
     for (const [i, [selector, titles]] of Object.entries(places).entries()) {
-      const numbers = titles.includes('Moving charts') ? '0123456789.-' : '';
+      const numbers = titles.includes('Moving islands') ? '0123456789.-' : '';
       const listed = new Set([...everywhere, ...titles.flatMap(keysOf), ...numbers]);
       assert.ok(taken[i].length > 0, `${selector} takes keys`);
       assert.deepEqual(
@@ -132,8 +132,8 @@ test('no key is missing from the sheet', async (t) => {
   };
   await check({
     body: [],
-    '#mesh-canvas': ['Mesh view', 'Charts'],
-    '#layout-canvas': ['Layout view', 'Charts', 'Pins', 'Moving charts'],
+    '#mesh-canvas': ['Mesh view', 'Islands'],
+    '#layout-canvas': ['Layout view', 'Islands', 'Pins', 'Moving islands'],
     '#stretch': [],
     '#padding': [],
     '#open': [],

@@ -322,7 +322,7 @@ test('each tile has the image', async (t) => {
   await dropImage(page, 'four.png', fourColors());
   const one = await seen(page, await screenshot(page, LAYOUT));
   await page.click('#more-toggle');
-  const density = Number((await metrics(page))['Texel density']);
+  const density = Number((await metrics(page))['Texels per unit']);
   await page.fill('#more-texel-density', `${Math.round(1.4 * density)}`);
   await page.click('#more-udim');
   await settled(page);

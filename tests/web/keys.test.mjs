@@ -142,7 +142,7 @@ const CUBE = [
     'f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n',
 ];
 
-test('Charts: each key does what the sheet says', async (t) => {
+test('Islands: each key does what the sheet says', async (t) => {
   const page = await openPage(t, { ...SMALL, open: CUBE });
   const press = (key) => page.keyboard.press(key);
   const isSelected = () => page.isVisible('#selection-frame');
@@ -235,11 +235,11 @@ test('Charts: each key does what the sheet says', async (t) => {
   await page.click('#details-toggle');
   await page.focus('#layout-canvas');
   await press('+');
-  assert.deepEqual(keysOf('Charts').sort(), Object.keys(effects).sort());
+  assert.deepEqual(keysOf('Islands').sort(), Object.keys(effects).sort());
   for (const effect of Object.values(effects)) await effect();
 });
 
-test('Moving charts: each key does what the sheet says', async (t) => {
+test('Moving islands: each key does what the sheet says', async (t) => {
   const page = await openPage(t, { ...SMALL, open: BALL });
   const text = () => textOf(page, '#selection-text');
   const press = (key) => page.keyboard.press(key);
@@ -285,7 +285,7 @@ test('Moving charts: each key does what the sheet says', async (t) => {
     Enter: () => again('Enter'),
     Space: () => again('Space'),
   };
-  assert.deepEqual([...new Set(keysOf('Moving charts'))].sort(), Object.keys(effects).sort());
+  assert.deepEqual([...new Set(keysOf('Moving islands'))].sort(), Object.keys(effects).sort());
   for (const effect of Object.values(effects)) await effect();
 });
 

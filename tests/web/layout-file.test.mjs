@@ -49,7 +49,7 @@ function opaqueShare({ width, height, at }) {
   return opaque / (width * height);
 }
 
-test('the PNG has a pixel per texel: charts are painted, the rest is clear', async (t) => {
+test('the PNG has a pixel per texel: islands are painted, the rest is clear', async (t) => {
   const page = await openPage(t, { mode: 'flatten' });
   assert.ok(await page.isHidden('#layout-tools'), 'a disk in one piece is no atlas');
   await dropAndWait(page, 'rings.obj', objText(RINGS));
@@ -66,12 +66,12 @@ test('the PNG has a pixel per texel: charts are painted, the rest is clear', asy
   for (const [, , , alpha] of pixels) assert.equal(alpha, 255);
   // Outlines reach a pixel beyond the charts.
   const opaque = opaqueShare(image);
-  const covered = parseFloat((await metrics(page)).Utilisation) / 100;
+  const covered = parseFloat((await metrics(page))['Space used']) / 100;
   assert.ok(opaque > covered - 0.02 && opaque < covered + 0.1, `${opaque} of ${covered}`);
-  assert.ok(new Set(pixels.map(String)).size >= 2, 'charts have colours of their own');
+  assert.ok(new Set(pixels.map(String)).size >= 2, 'islands have colours of their own');
 });
 
-test('the SVG has the size of the surface, a group for each chart', async (t) => {
+test('the SVG has the size of the surface, a group for each island', async (t) => {
   const page = await openPage(t, { open: ['rings.obj', objText(RINGS)] });
   await page.focus('#layout-svg');
   await page.keyboard.press('Tab');
@@ -105,7 +105,7 @@ test('the SVG has the size of the surface, a group for each chart', async (t) =>
         .reduce((sum, area) => sum + area, 0),
     };
   }, bytes.toString());
-  assert.equal(String(drawn.groups), (await metrics(page)).Charts);
+  assert.equal(String(drawn.groups), (await metrics(page)).Islands);
   assert.match(drawn.width, /^[\d.]+mm$/);
   const mm = parseFloat(drawn.width) / drawn.across;
   const { triangleAreas } = await loadModule('mesh/mesh');
@@ -190,7 +190,7 @@ test('chains have every edge once', async () => {
   assert.equal(chains([0, 1, 2, 1], false).length, 2);
 });
 
-test('outlines enclose their charts, edges inside are those of faces', async () => {
+test('outlines enclose their islands, edges inside are those of faces', async () => {
   const { chartLines } = await loadModule('files/chart-lines');
   // Two quads side by side, each of two triangles; the second one is a separate chart that touches
   // the first.

@@ -28,7 +28,7 @@ async function atlas(page) {
 
 const lock = (page, row) => page.locator('#charts tbody tr').nth(row).locator('.lock');
 
-test('a locked chart stays bit by bit until it is unlocked', async (t) => {
+test('a locked island stays bit by bit until it is unlocked', async (t) => {
   const page = await openPage(t, { open: ['both.obj', BOTH] });
   await page.click('#details-toggle');
   const before = await atlas(page);
@@ -40,7 +40,7 @@ test('a locked chart stays bit by bit until it is unlocked', async (t) => {
   await lock(page, 0).focus();
   await page.keyboard.press('Enter');
   assert.equal(await lock(page, 0).getAttribute('aria-pressed'), 'true');
-  assert.equal(await textOf(page, '#locks-summary'), '1 chart locked');
+  assert.equal(await textOf(page, '#locks-summary'), '1 island locked');
   assert.equal((await atlas(page)).text, before.text, 'locking moves nothing');
 
   const isSame = (after, f) => JSON.stringify(after.uv[f]) === JSON.stringify(before.uv[f]);
@@ -57,7 +57,7 @@ test('a locked chart stays bit by bit until it is unlocked', async (t) => {
   await page.focus('#stretch');
   await page.keyboard.press('Home');
   await settled(page);
-  assert.match(await textOf(page, '#run-text'), /1 (of \d+ charts )?locked$/);
+  assert.match(await textOf(page, '#run-text'), /1 (of \d+ islands )?locked$/);
   await checkStays('less stretch');
   await page.click('#seams-sharp');
   await settled(page);
@@ -99,12 +99,12 @@ test('locks belong to one mesh', async (t) => {
   const page = await openPage(t, { open: ['both.obj', BOTH] });
   await page.click('#details-toggle');
   await lock(page, 0).click();
-  const charts = (await metrics(page)).Charts;
+  const charts = (await metrics(page)).Islands;
   await dropAndWait(page, 'again.obj', BOTH);
   assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 0);
-  assert.equal((await metrics(page)).Charts, charts);
+  assert.equal((await metrics(page)).Islands, charts);
   for (const button of await page.locator('.lock').all())
-    assert.match(await button.getAttribute('aria-label'), /^Lock chart \d+$/);
+    assert.match(await button.getAttribute('aria-label'), /^Lock island \d+$/);
 });
 
 /** Squares in a row; all but the last have uv, a quarter as wide as the tile. */
@@ -118,7 +118,7 @@ const ROW = [0, 1, 2]
   ])
   .join('\n');
 
-test('charts that keep the uv of the file are locked: nothing is said to move them', async (t) => {
+test('islands that keep the uv of the file are locked: nothing is said to move them', async (t) => {
   const page = await openPage(t, { open: ['row.obj', ROW] });
   await page.click('#more-toggle');
   await page.click('#more-keep-uv');
@@ -127,7 +127,7 @@ test('charts that keep the uv of the file are locked: nothing is said to move th
   const undone = await page.getAttribute('#undo', 'title');
   await page.click('#details-toggle');
   assert.equal(await page.locator('.lock[aria-pressed="true"]').count(), 2);
-  assert.equal(await textOf(page, '#locks-summary'), '2 charts keep their UVs');
+  assert.equal(await textOf(page, '#locks-summary'), '2 islands keep their UVs');
   const first = page.locator('.lock[aria-pressed="true"]').first();
   await first.focus();
   await page.keyboard.press('Enter');
@@ -147,7 +147,7 @@ test('charts that keep the uv of the file are locked: nothing is said to move th
   // Of all charts, the one that is new moves.
   await arrangeAll(page, 's', '.5');
   await settled(page);
-  assert.match(await textOf(page, '#run-text'), /^Scaled chart \d+, checked in/);
+  assert.match(await textOf(page, '#run-text'), /^Scaled island \d+, checked in/);
   const after = await atlas(page);
   const width = (face) => Math.max(...face.map(([u]) => u)) - Math.min(...face.map(([u]) => u));
   assert.deepEqual(after.uv.slice(0, 2), before.uv.slice(0, 2));

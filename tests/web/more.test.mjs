@@ -106,7 +106,7 @@ test('faces that have uv in the file keep it, as with the command line, until an
   assert.equal(await textOf(page, '#alert'), '');
   assert.equal(await page.getAttribute('#more-keep-uv', 'aria-pressed'), 'true');
   assert.equal(await textOf(page, '#more-state'), 'keep UVs of the file');
-  assert.match(await textOf(page, '#run-text'), /\d+ (of \d+ charts )?as in the file$/);
+  assert.match(await textOf(page, '#run-text'), /\d+ (of \d+ islands )?as in the file$/);
   await assertAsProgram(t, page, painted, ['--keep', 'uv']);
   const kept = await metrics(page);
 
@@ -147,7 +147,7 @@ test('islands of a file that cannot be kept are named, and the others stay', asy
 
 test('a texel density may take several tiles, which are numbered', async (t) => {
   const page = await openPage(t, { open: ['rings.obj', RINGS] });
-  const density = Math.floor(1.1 * Number((await metrics(page))['Texel density']));
+  const density = Math.floor(1.1 * Number((await metrics(page))['Texels per unit']));
   await page.click('#more-toggle');
   assert.ok(await page.isDisabled('#more-udim'));
   assert.equal(await page.locator('.tile').count(), 0);
@@ -155,7 +155,7 @@ test('a texel density may take several tiles, which are numbered', async (t) => 
   assert.match(await textOf(page, '#alert'), /do not fit one tile/);
   await click(page, '#more-udim');
   assert.equal(await textOf(page, '#alert'), '');
-  assert.equal((await metrics(page))['Texel density'], String(density));
+  assert.equal((await metrics(page))['Texels per unit'], String(density));
   const tiles = Number(/, (\d+) tiles$/.exec(await textOf(page, '#layout-info'))[1]);
   assert.ok(tiles >= 2);
   await page.waitForFunction((n) => document.querySelectorAll('.tile').length === n, tiles);
@@ -181,7 +181,7 @@ test('a texel density may take several tiles, which are numbered', async (t) => 
   // An empty field is auto, one tile again.
   await fill(page, '#more-texel-density', '');
   assert.ok(await page.isDisabled('#more-udim'));
-  assert.match(await textOf(page, '#layout-info'), /^\d+ charts$/);
+  assert.match(await textOf(page, '#layout-info'), /^\d+ islands$/);
 });
 
 test('what is no number is marked, and the last one stays', async (t) => {

@@ -86,17 +86,17 @@ function compare(before, after, { f }, see) {
   });
 }
 
-test('a single pin moves its chart', async (t) => {
+test('a single pin moves its island', async (t) => {
   const { page, before, corners } = await openWithPins(t, 1);
   assert.match(await textOf(page, '#pins-text'), /^1 pin\. /);
   const by = await drag(page, corners[0].at, [24, -16]);
   assert.match(await textOf(page, '#pins-text'), /^Move u 0\.\d+, v \u22120\.\d+/);
   await drop(page);
-  assert.match(await textOf(page, '#run-text'), /^Moved a pin of chart \d+, checked in/);
+  assert.match(await textOf(page, '#run-text'), /^Moved a pin of island \d+, checked in/);
   compare(before, await atlas(page), corners[0], (a, b) => assertNear(minus(b, a), by, 2e-3));
 });
 
-test('with two pins the chart turns and grows about the other', async (t) => {
+test('with two pins the island turns and grows about the other', async (t) => {
   const { page, before, corners } = await openWithPins(t, 2);
   const [dragged, still] = corners;
   await drag(page, dragged.at, [20, 26]);
@@ -110,7 +110,7 @@ test('with two pins the chart turns and grows about the other', async (t) => {
   );
 });
 
-test('with more pins the chart bends, others stay, and all of it is undone', async (t) => {
+test('with more pins the island bends, others stay, and all of it is undone', async (t) => {
   const { page, before, corners } = await openWithPins(t, 4);
   const stretch = await textOf(page, '#metrics');
   const picture = () => page.locator('#layout-canvas').screenshot();
@@ -161,7 +161,7 @@ test('a click removes a pin, Escape puts it back, P ends it all', async (t) => {
   await page.keyboard.press('p');
   assert.ok(await page.isHidden('#pins'));
   await pin(page, middleOf(before.uv[corners[2].f]));
-  assert.match(await textOf(page, '#selection-text'), /^Chart \d/, 'a click selects again');
+  assert.match(await textOf(page, '#selection-text'), /^Island \d/, 'a click selects again');
 });
 
 test('pins are set and moved by keys alone', async (t) => {
@@ -187,7 +187,7 @@ test('pins are set and moved by keys alone', async (t) => {
   assertNear(first, [1 / 1024, 10 / 1024], 1e-6);
 });
 
-test('a chart that folds is not valid, is written all the same, and comes back with its pins', async (t) => {
+test('an island that folds is not valid, is written all the same, and comes back with its pins', async (t) => {
   const { page, corners } = await openWithPins(t, 4);
   await drag(page, corners[1].at, [-160, -120]);
   await drop(page);
@@ -204,7 +204,7 @@ test('a chart that folds is not valid, is written all the same, and comes back w
   assert.match(await textOf(page, '#pins-text'), /^4 pins/);
 });
 
-test('pins of a locked chart cannot be dragged', async (t) => {
+test('pins of a locked island cannot be dragged', async (t) => {
   const { page, before, corners } = await openWithPins(t, 2);
   await page.click('#details-toggle');
   for (const lock of await page.locator('#charts .lock').all()) await lock.click();
@@ -212,7 +212,7 @@ test('pins of a locked chart cannot be dragged', async (t) => {
   await page.mouse.up();
   assert.match(
     await textOf(page, '#run-text'),
-    /^This chart is locked\. Unlock it to drag its pins/,
+    /^This island is locked\. Unlock it to drag its pins/,
   );
   assert.deepEqual((await atlas(page)).uv, before.uv);
 });
@@ -242,7 +242,7 @@ test('pins stay on their vertices when the atlas has other tiles', async (t) => 
   await page.click('#more-toggle');
   await page.selectOption('#resolution', '4096');
   await settled(page);
-  const density = 0.6 * Number((await metrics(page))['Texel density'].replace(',', ''));
+  const density = 0.6 * Number((await metrics(page))['Texels per unit'].replace(',', ''));
   await page.fill('#more-texel-density', density.toFixed(0));
   await settled(page);
   await page.click('#more-udim');

@@ -318,7 +318,7 @@ test('seam files are those of the command line, and are checked', async () => {
     assert.throws(() => readSeams(graph, text, 'a.txt'), { message });
 });
 
-test('charts are sorted by any measure, equal ones by number, what is no number last', async () => {
+test('islands are sorted by any measure, equal ones by number, what is no number last', async () => {
   const { chartRows, COLUMNS, sortedRows } = await load('details/chart-rows');
   const chart = (faces, area, symmetricDirichlet) => ({
     faces,
@@ -341,5 +341,5 @@ test('charts are sorted by any measure, equal ones by number, what is no number 
   assert.deepEqual(order('Faces', false), [0, 2, 1]);
   assert.deepEqual(order('Stretch', true), [0, 2, 1]);
   assert.deepEqual(order('Stretch', false), [2, 0, 1]);
-  assert.deepEqual(order('Chart', false), [0, 1, 2]);
+  assert.deepEqual(order('Island', false), [0, 1, 2]);
 });

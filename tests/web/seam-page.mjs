@@ -15,7 +15,7 @@ export const flatGrid = (n) => grid(n).replace(/^(v \S+ \S+) \S+$/gm, '$1 0');
 export const openGrid = (t, n, options = SMALL) =>
   openPage(t, { ...options, open: ['grid.obj', flatGrid(n)] });
 
-export const charts = async (page) => Number((await metrics(page)).Charts);
+export const charts = async (page) => Number((await metrics(page)).Islands);
 
 const twoFrames = () =>
   new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));

@@ -121,7 +121,7 @@ test('the places of a stroke are evenly apart, and not too many of them', async 
 });
 
 test('a brush meets the edges that it goes over: at a junction only those it goes along', async () => {
-  const { edgesUnder } = await load('seams/pick');
+  const { edgesUnder } = await load('seams/brush');
   const { Sight } = await load('view/sight');
   const graph = await graphOf(plane(2));
   const camera = new PerspectiveCamera(50, 1, 0.1, 100);

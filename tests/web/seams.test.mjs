@@ -17,7 +17,7 @@ import {
   vertices,
 } from './seam-page.mjs';
 
-test('two clicks cut along the shortest path, and the charts follow', async (t) => {
+test('two clicks cut along the shortest path, and the islands follow', async (t) => {
   const n = 4;
   const page = await openGrid(t, n);
   assert.equal(await charts(page), 1);
@@ -67,7 +67,7 @@ test('two clicks cut along the shortest path, and the charts follow', async (t) 
   assert.equal(await textOf(page, '#seams-state'), '');
 });
 
-test('a cut is kept and cut further where charts are stretched, and edits go on from there', async (t) => {
+test('a cut is kept and cut further where islands are stretched, and edits go on from there', async (t) => {
   const page = await openPage(t, { ...SMALL, open: ['ball.obj', objText(sphere(6))] });
   await page.click('#seams-auto');
   await settled(page);
@@ -103,7 +103,7 @@ test('a cut is kept and cut further where charts are stretched, and edits go on 
   assert.equal(await state(), own);
 });
 
-test('seams that charts need to be disks stay, and say so', async (t) => {
+test('seams that islands need to be disks stay, and say so', async (t) => {
   const page = await openPage(t, { ...SMALL, open: ['torus.obj', objText(torus(24, 12))] });
   await page.click('#seams-auto');
   await settled(page);
@@ -117,7 +117,7 @@ test('seams that charts need to be disks stay, and say so', async (t) => {
   assert.ok(Number((await metrics(page))['Seam length']) > needed);
 });
 
-test('an edit solves only the charts that it changes', async (t) => {
+test('an edit solves only the islands that it changes', async (t) => {
   const page = await openPage(t, SMALL);
   // Two balls: cutting one leaves the other unchanged.
   const ball = sphere(10);
@@ -140,7 +140,7 @@ test('an edit solves only the charts that it changes', async (t) => {
   await clickAt(page, first[first.length - 1][1]);
   await settled(page);
   assert.ok((await edited(page)) > 0);
-  const said = /^Unwrapped in [^;]+; (\d+) of (\d+) charts kept$/.exec(
+  const said = /^Unwrapped in [^;]+; (\d+) of (\d+) islands kept$/.exec(
     await textOf(page, '#run-text'),
   );
   assert.ok(said, await textOf(page, '#run-text'));

@@ -24,7 +24,7 @@ async function clickChart(page, view, from = 0.2) {
     await page.mouse.click(...(await at(page, view, x, 0.5)));
     if (await page.isVisible('#selection')) return x;
   }
-  return assert.fail(`no chart in the ${view}`);
+  return assert.fail(`no island in the ${view}`);
 }
 
 /** Short, for messages. */
@@ -35,12 +35,12 @@ const picture = async (page, view) =>
 
 const selectedRows = (page) => page.locator('.chart-table tr[aria-selected="true"]').count();
 
-test('a click in the layout selects a chart in both views and in the list', async (t) => {
+test('a click in the layout selects an island in both views and in the list', async (t) => {
   const page = await opened(t);
   await page.click('#details-toggle');
   const mesh = await picture(page, 'mesh');
   await clickChart(page, 'layout');
-  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: \d+ triangles, stretch 1/);
+  assert.match(await textOf(page, '#selection-text'), /^Island \d+: \d+ triangles, stretch 1/);
   assert.equal(await selectedRows(page), 1);
   await page.mouse.move(0, 0);
   assert.notEqual(await picture(page, 'mesh'), mesh, 'it is outlined on the mesh');
@@ -49,13 +49,13 @@ test('a click in the layout selects a chart in both views and in the list', asyn
   await page.keyboard.press('a');
   const charts = await page.locator('.chart-table tbody tr').count();
   assert.equal(await selectedRows(page), charts);
-  assert.match(await textOf(page, '#selection-text'), /^\d+ charts: .*, 100\s% of the surface$/);
+  assert.match(await textOf(page, '#selection-text'), /^\d+ islands: .*, 100\s% of the surface$/);
   await page.keyboard.press('Escape');
   assert.ok(await page.isHidden('#selection'));
   assert.equal(await picture(page, 'mesh'), mesh);
 });
 
-test('the bar of one chart covers nothing of a fitted atlas, beside the details neither', async (t) => {
+test('the bar of one island covers nothing of a fitted atlas, beside the details neither', async (t) => {
   const page = await opened(t);
   await clickChart(page, 'layout');
   for (const details of [false, true]) {
@@ -110,13 +110,13 @@ test('on a phone the bar is at the foot of the screen, and all else stays within
   assert.match(await textOf(page, '#seam-hint'), /: tap the end of the cut, or Cancel cut$/);
 });
 
-test('charts are hidden, isolated and shown again, by button and key', async (t) => {
+test('islands are hidden, isolated and shown again, by button and key', async (t) => {
   const page = await opened(t);
   const all = await picture(page, 'layout');
   await clickChart(page, 'layout');
   await page.click('#selection-hide');
   await page.mouse.move(0, 0);
-  assert.match(await textOf(page, '#selection-text'), /^1 chart hidden$/);
+  assert.match(await textOf(page, '#selection-text'), /^1 island hidden$/);
   assert.ok(await page.isHidden('#selection-frame'));
   assert.notEqual(await picture(page, 'layout'), all);
   await page.click('#selection-show-all');
@@ -145,7 +145,7 @@ test('charts are hidden, isolated and shown again, by button and key', async (t)
   assert.equal(await picture(page, 'layout'), all);
 });
 
-test('on the mesh clicks select with that tool alone, and Shift adds charts', async (t) => {
+test('on the mesh clicks select with that tool alone, and Shift adds islands', async (t) => {
   const page = await opened(t);
   await page.mouse.click(...(await at(page, 'mesh', 0.25, 0.5)));
   assert.ok(await page.isHidden('#selection'), 'the click began a cut');
@@ -153,7 +153,7 @@ test('on the mesh clicks select with that tool alone, and Shift adds charts', as
   await page.click('#seam-select');
   assert.equal(await page.getAttribute('#seam-cut', 'aria-pressed'), 'false');
   const x = await clickChart(page, 'mesh', 0.1);
-  assert.match(await textOf(page, '#selection-text'), /^Chart \d+: /);
+  assert.match(await textOf(page, '#selection-text'), /^Island \d+: /);
   const before = await textOf(page, '#selection-text');
   await page.keyboard.down('Shift');
   for (let next = x + 0.06; next < 0.95; next += 0.04) {
@@ -161,7 +161,7 @@ test('on the mesh clicks select with that tool alone, and Shift adds charts', as
     if ((await textOf(page, '#selection-text')) !== before) break;
   }
   await page.keyboard.up('Shift');
-  assert.match(await textOf(page, '#selection-text'), /^\d+ charts: |^Chart/);
+  assert.match(await textOf(page, '#selection-text'), /^\d+ islands: |^Island/);
   assert.notEqual(await textOf(page, '#selection-text'), before);
 });
 
@@ -193,7 +193,7 @@ test('Escape goes from a tool back to Select, once it has nothing else to cancel
   assert.ok(await isPressed('select'));
 });
 
-test('a chart under the pointer stands out in the other view', async (t) => {
+test('an island under the pointer stands out in the other view', async (t) => {
   const page = await opened(t);
   await page.mouse.move(0, 0);
   const plain = await picture(page, 'mesh');
@@ -215,7 +215,7 @@ test('another layout, another mesh and one piece have no selection', async (t) =
   await page.click('#selection-hide');
   await page.selectOption('#resolution', '2048');
   await settled(page);
-  assert.ok(await page.isVisible('#selection-show-all'), 'the charts are the same');
+  assert.ok(await page.isVisible('#selection-show-all'), 'the islands are the same');
   await page.click('#seams-sharp');
   await page.fill('#sharp-degrees', '20');
   await settled(page);

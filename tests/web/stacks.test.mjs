@@ -64,13 +64,13 @@ async function packAgain(page) {
 
 const isValid = async (page) => {
   assert.equal(await textOf(page, '#badge'), 'Valid');
-  assert.equal(await textOf(page, '#reason'), '3 charts stacked, no other overlaps');
+  assert.equal(await textOf(page, '#reason'), '3 islands stacked, no other overlaps');
   assert.ok(await page.isHidden('#marks'));
 };
 
-const utilization = async (page) => parseFloat((await metrics(page)).Utilisation);
+const utilization = async (page) => parseFloat((await metrics(page))['Space used']);
 
-test('stacked charts are valid, stay stacked when all is packed again, and are exported so', async (t) => {
+test('stacked islands are valid, stay stacked when all is packed again, and are exported so', async (t) => {
   const page = await openPage(t, { ...SMALL, mode: 'unwrap', open: ['mesh.obj', MESH] });
   const apart = await utilization(page);
   await page.focus('#layout-canvas');
@@ -78,7 +78,7 @@ test('stacked charts are valid, stay stacked when all is packed again, and are e
   await arrange(page, 'stacked');
   assert.match(
     await textOf(page, '#run-text'),
-    /^Stacked 3 charts; 1 has another shape, checked in [^,]*$/,
+    /^Stacked 3 islands; 1 has another shape, checked in [^,]*$/,
   );
   await isValid(page);
   areStacked(await atlas(page));
@@ -93,7 +93,7 @@ test('stacked charts are valid, stay stacked when all is packed again, and are e
     await marks.evaluateAll((all) =>
       all.map((mark) => [Number(mark.closest('tr').dataset.chart), mark.title]),
     ),
-    [0, 1, 2].map((chart) => [chart, `Stacked with charts ${others(chart)}`]),
+    [0, 1, 2].map((chart) => [chart, `Stacked with islands ${others(chart)}`]),
   );
   assert.ok((await utilization(page)) > 1.3 * unpacked, 'the room is used');
   // Other options pack anew as well.
@@ -111,9 +111,9 @@ test('stacked charts are valid, stay stacked when all is packed again, and are e
   await page.setInputFiles('#seams-file', slit);
   await page.waitForFunction(() => document.querySelector('#seams-state').textContent);
   await settled(page);
-  assert.match(await textOf(page, '#run-text'), /; 1 chart no longer stacked$/);
+  assert.match(await textOf(page, '#run-text'), /; 1 island no longer stacked$/);
   await packAgain(page);
-  assert.equal(await textOf(page, '#reason'), '2 charts stacked, no other overlaps');
+  assert.equal(await textOf(page, '#reason'), '2 islands stacked, no other overlaps');
   assert.doesNotMatch(await textOf(page, '#run-text'), /stacked/, 'said once');
   for (let i = 0; i < 2; i++) await page.click('#undo');
   await settled(page);
@@ -131,7 +131,7 @@ test('stacked charts are valid, stay stacked when all is packed again, and are e
     await settled(page);
   }
   assert.equal(await textOf(page, '#badge'), 'Not valid');
-  assert.match(await textOf(page, '#reason'), /^\d charts overlap$/);
+  assert.match(await textOf(page, '#reason'), /^\d islands overlap$/);
 });
 
 /** The second square has uv, where the vertices of a square are numbered from 10. */
@@ -144,7 +144,7 @@ const PAINTED = MESH.split('\n')
   .concat(SQUARE.positions.map(([x, y]) => `vt ${0.1 + 0.15 * x} ${0.5 + 0.15 * y}`))
   .join('\n');
 
-test('charts are stacked on one that keeps the uv of the file, which stays when all is packed again', async (t) => {
+test('islands are stacked on one that keeps the uv of the file, which stays when all is packed again', async (t) => {
   const page = await openPage(t, { ...SMALL, mode: 'unwrap', open: ['painted.obj', PAINTED] });
   await page.click('#more-toggle');
   await page.click('#more-keep-uv');
@@ -167,10 +167,10 @@ test('charts are stacked on one that keeps the uv of the file, which stays when 
   await page.click('#more-toggle');
   await page.click('#more-keep-uv');
   await settled(page);
-  assert.match(await textOf(page, '#run-text'), /; 3 charts no longer stacked$/);
+  assert.match(await textOf(page, '#run-text'), /; 3 islands no longer stacked$/);
 });
 
-test('charts of different shapes are not stacked, and that is said', async (t) => {
+test('islands of different shapes are not stacked, and that is said', async (t) => {
   const page = await openPage(t, {
     ...SMALL,
     mode: 'unwrap',
@@ -189,7 +189,7 @@ test('charts of different shapes are not stacked, and that is said', async (t) =
   await arrange(page, 'stacked');
   assert.equal(
     await textOf(page, '#run-text'),
-    'Nothing was stacked: no two of these charts have the same shape',
+    'Nothing was stacked: no two of these islands have the same shape',
   );
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.deepEqual((await atlas(page)).uv, before.uv);
@@ -229,11 +229,11 @@ async function moveBy(page, distance) {
   await settled(page);
 }
 
-test('equal charts are stacked by an option, mirror images too, and stay so whatever is done next', async (t) => {
+test('equal islands are stacked by an option, mirror images too, and stay so whatever is done next', async (t) => {
   const page = await openPage(t, { ...SMALL, mode: 'unwrap', open: ['both.obj', BOTH_SIDES] });
   const isStacked = async (charts) => {
     assert.equal(await textOf(page, '#badge'), 'Valid');
-    assert.equal(await textOf(page, '#reason'), `${charts} charts stacked, no other overlaps`);
+    assert.equal(await textOf(page, '#reason'), `${charts} islands stacked, no other overlaps`);
     assert.ok(await page.isHidden('#marks'));
   };
   assert.equal(await textOf(page, '#reason'), 'No flipped triangles, no overlaps');
@@ -242,7 +242,7 @@ test('equal charts are stacked by an option, mirror images too, and stay so what
   await isStacked(4);
   await stackEqual(page, 'mirrored');
   await isStacked(4);
-  assert.equal(await textOf(page, '#more-state'), 'stack equal charts mirrored');
+  assert.equal(await textOf(page, '#more-state'), 'stack equal islands mirrored');
   assert.ok((await utilization(page)) > 0.8 * apart, 'the room is used');
   const { path } = await exportMesh(page);
   const judged = judgeStacks(path);
@@ -272,7 +272,7 @@ test('equal charts are stacked by an option, mirror images too, and stay so what
   assert.equal(await textOf(page, '#reason'), 'No flipped triangles, no overlaps');
 });
 
-test('the layout shows each place once, and what is selected or lies on hidden charts', async () => {
+test('the layout shows each place once, and what is selected or lies on hidden islands', async () => {
   const { NO_STATES, unseen } = await loadModule('view/chart-flags');
   const stacked = {
     on: new Map([
@@ -289,7 +289,7 @@ test('the layout shows each place once, and what is selected or lies on hidden c
   assert.equal(unseen(NO_STATES), NO_STATES.hidden);
 });
 
-test('stacks are read from a report, and charts stay with all that lie on them', async () => {
+test('stacks are read from a report, and islands stay with all that lie on them', async () => {
   const { stacksIn, withStacks } = await loadModule('model/stacks');
   const charts = [-1, -1, 0, 1, 0].map((stackedOn) => ({ stackedOn }));
   const stacks = stacksIn({ charts });

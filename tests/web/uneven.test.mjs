@@ -52,7 +52,7 @@ async function densities(page) {
   });
 }
 
-const shown = async (page) => Number((await metrics(page))['Texel density'].replace(',', ''));
+const shown = async (page) => Number((await metrics(page))['Texels per unit'].replace(',', ''));
 
 /** All faces are as large on the surface. */
 const meanOf = (each) => Math.sqrt(each.reduce((sum, d) => sum + d * d, 0) / each.length);

@@ -73,23 +73,23 @@ test('a closed mesh is unwrapped, with its numbers, and cannot be flattened', as
   assert.ok(await page.isHidden('#delaunay'));
   const shown = await metrics(page);
   assert.deepEqual(Object.keys(shown), [
-    'Charts',
-    'Seam length',
+    'Islands',
     'Stretch',
+    'Space used',
+    'Texels per unit',
+    'Seam length',
     'Angular distortion',
-    'Utilisation',
-    'Texel density',
     'Faces',
     'Energy',
   ]);
   assert.equal(shown.Faces, '576');
-  assert.ok(Number(shown.Charts) >= 1);
+  assert.ok(Number(shown.Islands) >= 1);
   assert.ok(Number(shown['Seam length']) > 0);
   assert.ok(Number(shown.Stretch) >= 1 && Number(shown.Stretch) < 1.1);
-  assert.match(shown.Utilisation, /^\d+\.\d\s%$/);
+  assert.match(shown['Space used'], /^\d+\.\d\s%$/);
   assert.equal(
     await textOf(page, '#layout-info'),
-    `${shown.Charts} ${shown.Charts === '1' ? 'chart' : 'charts'}`,
+    `${shown.Islands} ${shown.Islands === '1' ? 'island' : 'islands'}`,
   );
   assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
 
@@ -119,7 +119,7 @@ test('the user chooses for disks, and the choice stays', async (t) => {
   await page.click('#mode-unwrap');
   await settled(page);
   assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
-  assert.equal((await metrics(page)).Charts, '1');
+  assert.equal((await metrics(page)).Islands, '1');
   assert.notDeepEqual(await picture(page, '#layout-canvas'), flat);
   await dropAndWait(page, 'more.obj', grid(5));
   assert.match(await textOf(page, '#run-text'), /^Unwrapped in/);
@@ -151,16 +151,20 @@ test('stretch, resolution and padding change the atlas, by keyboard as well', as
   assert.ok(Number(strict.Stretch) < Number(usual.Stretch));
   await page.selectOption('#resolution', '2048');
   await settled(page);
+  assert.equal(await page.inputValue('#padding'), '4', 'the same share of the resolution');
   const fine = await metrics(page);
-  assert.ok(Number(fine['Texel density']) > 1.5 * Number(strict['Texel density']));
+  assert.ok(Number(fine['Texels per unit']) > 1.5 * Number(strict['Texels per unit']));
   await page.fill('#padding', '24');
   await settled(page);
   const apart = await metrics(page);
-  assert.ok(parseFloat(apart.Utilisation) < parseFloat(fine.Utilisation));
+  assert.ok(parseFloat(apart['Space used']) < parseFloat(fine['Space used']));
   await page.fill('#padding', '9000');
   assert.equal(await page.getAttribute('#padding', 'aria-invalid'), 'true');
   await page.locator('#padding').blur();
   assert.equal(await page.inputValue('#padding'), '24');
+  await page.selectOption('#resolution', '1024');
+  await settled(page);
+  assert.equal(await page.inputValue('#padding'), '24', 'it was set by hand');
   assert.equal(await textOf(page, '#badge'), 'Valid');
 });
 
@@ -192,15 +196,15 @@ test('above the limit the badge says so, and one click cuts further', async (t) 
   assert.match(await textOf(page, '#stretch-hint'), /^lengths off by/);
 });
 
-test('charts have the same colours in both pictures, other than their neighbours', async (t) => {
+test('islands have the same colours in both pictures, other than their neighbours', async (t) => {
   for (const colorScheme of ['dark', 'light']) {
     const page = await openPage(t, { colorScheme });
     const boxes = objText(
       together([0, 1, 2, 3].map((i) => [torus(16, 8), [2.6 * (i % 2), 2.6 * (i >> 1), 0]])),
     );
     await dropAndWait(page, 'rings.obj', boxes);
-    const charts = Number((await metrics(page)).Charts);
-    assert.ok(charts >= 4, `${charts} charts`);
+    const charts = Number((await metrics(page)).Islands);
+    assert.ok(charts >= 4, `${charts} islands`);
     const inLayout = await hues(page, '#layout-canvas');
     const inMesh = await hues(page, '#mesh-canvas');
     assert.ok(inLayout.length >= 3, `hues of the layout: ${inLayout}`);
@@ -224,7 +228,7 @@ test('what was repaired is said in one line each', async (t) => {
   const lines = await page.locator('#atlas-notes li').allInnerTexts();
   assert.equal(lines.length, Number.parseInt(button, 10));
   for (const pattern of [
-    /^\d+ duplicate faces? (has its own chart|have their own charts): faces? \d+/,
+    /^\d+ duplicate faces? (has its own island|have their own islands): faces? \d+/,
     /^\d+ edges? (has|have) more than two faces and became (a seam|seams): edges? \d+–\d+/,
     /^\d+ degenerate faces? uses? the UVs of neighbouring faces: faces? \d+/,
     /^\d+ edges? lies? between faces of opposite orientation and became (a seam|seams): /,
@@ -234,7 +238,7 @@ test('what was repaired is said in one line each', async (t) => {
       `${pattern} in ${JSON.stringify(lines)}`,
     );
   for (const line of lines) assert.match(line, /\.$/);
-  assert.match(await textOf(page, '#charts-summary'), /^\d+ charts, the largest of/);
+  assert.match(await textOf(page, '#charts-summary'), /^\d+ islands, the largest of/);
   // A mesh that is flattened has other tabs.
   await dropAndWait(page, 'waves.obj', grid(4));
   await choose(page, 'flatten');

@@ -88,7 +88,7 @@ test('a sharp phone gets a sharp picture, with the numbers of tiles', async (t) 
     hasTouch: true,
   });
   await page.click('#more-toggle');
-  const density = Number((await metrics(page))['Texel density']);
+  const density = Number((await metrics(page))['Texels per unit']);
   await page.fill('#more-texel-density', `${Math.round(1.4 * density)}`);
   await page.click('#more-udim');
   await settled(page);

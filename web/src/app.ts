@@ -41,7 +41,7 @@ import type { Views } from './view/views';
 import { LastVisit } from './visit/last-visit';
 import { PageHistory } from './visit/page-history';
 import { Unsaved } from './visit/unsaved';
-import { continued, duration } from './words/format';
+import { duration } from './words/format';
 import { BADGES } from './words/result';
 import { CHANGES, RUN } from './words/run';
 import { MOVING } from './words/selection';
@@ -275,6 +275,7 @@ export class App implements SessionEvents {
     this.run.start(
       settings ? RUN.layingOut(doing, settingsText(settings)) : RUN.reading(titleOf(source)),
       verb,
+      settings?.mode ?? null,
     );
     this.again = () => this.session.refresh();
     // On a first visit, the layout comes before what its seams are edited with.
@@ -290,6 +291,7 @@ export class App implements SessionEvents {
 
   opened(opened: Opened, before: Shown | null): void {
     const { source, mesh, summary } = opened;
+    this.run.opened(mesh.indices.length / 3);
     hideAlert();
     const last = before && { ...before, history: this.history.list, settings: this.controls.all };
     const left = this.left.get(source);
@@ -328,7 +330,7 @@ export class App implements SessionEvents {
     const { report } = outcome.result;
     this.show(outcome, drawing);
     this.later.load();
-    const { badge, reason } = verdictOf(outcome, drawing.areas);
+    const { badge } = verdictOf(outcome, drawing.areas);
     const but = badge === BADGES.valid ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
     const isRepacked = this.said === CHANGES.packedAgain;
@@ -336,9 +338,7 @@ export class App implements SessionEvents {
     const what = isOnlyPlaced(outcome)
       ? RUN.checked(this.said, time) + but
       : RUN.laidOut(done, time) + but + kept(outcome);
-    const isOfFile = outcome.mode === 'pack' && outcome.settings.keepPlaces;
-    const text = isOfFile ? RUN.uvsOfFile(time, continued(reason)) : what;
-    this.finish(this.visit.takeSaid() || text, false);
+    this.finish(this.visit.takeSaid() || what, false);
   }
 
   restored(outcome: Outcome, drawing: FlatDrawing): void {

@@ -1,5 +1,5 @@
 import type { Abflat } from 'abflat';
-import { element } from './base/dom';
+import { element, showText } from './base/dom';
 import { loadPart } from './base/load-part';
 import { Notice } from './controls/notice';
 import { Welcome } from './help/welcome';
@@ -16,7 +16,9 @@ import { MESH_TABS } from './words/opening';
 import { SHOWN } from './words/view';
 import type { Workshop } from './workshop/workshop';
 
-export interface MeshesEvents extends Omit<OpenEvents, 'joined' | 'images'>, ShownImageEvents {
+export interface MeshesEvents
+  extends Omit<OpenEvents, 'joined' | 'images' | 'unzipped'>,
+    ShownImageEvents {
   /** The mesh of another tab is wanted. */
   switchTo(source: Source): void;
   /** A mesh is not open any more. */
@@ -56,6 +58,7 @@ export class Meshes {
       ...events,
       images: (files) => void this.image.open(files),
       joined: (sources, signal) => this.joined(sources, signal),
+      unzipped: (archive) => workshop.unzipped(archive),
     });
   }
 
@@ -87,7 +90,7 @@ export class Meshes {
     this.views?.showMesh(drawing);
     this.showOpenSample();
     showTitle(source);
-    element('mesh-info', HTMLElement).textContent = facesText(mesh, summary);
+    showText(element('mesh-info', HTMLElement), facesText(mesh, summary));
   }
 
   /** Says what the user should know besides. */
@@ -127,7 +130,6 @@ function showTitle(source: Source): void {
   const title = titleOf(source);
   const label = element('source', HTMLElement);
   // The list already shows a sample's name.
-  label.textContent = source.kind === 'file' ? title : '';
-  label.title = title;
+  showText(label, source.kind === 'file' ? title : '', title);
   document.title = SHOWN.pageTitle(title);
 }

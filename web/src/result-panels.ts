@@ -1,5 +1,5 @@
 import type { Comparison, MethodResult } from 'abflat';
-import { element } from './base/dom';
+import { element, showText } from './base/dom';
 import { loadPart, reasonOf } from './base/load-part';
 import { ChartsTab, type ChartsTabEvents } from './details/charts-tab';
 import { CopyReport } from './details/copy-report';
@@ -52,7 +52,7 @@ export class ResultPanels {
   private readonly copyReport: CopyReport;
   private readonly solver = new SolverTab();
   private readonly charts: ChartsTab;
-  private readonly islands = new IslandsTab();
+  private readonly islands: IslandsTab;
   /** Loaded with the first mesh that has objects. */
   private objects: ObjectsTab | null = null;
   private readonly sweep: SweepTab;
@@ -80,6 +80,11 @@ export class ResultPanels {
       chosen: (chart) => events.selection()?.pick(chart),
       locked: (what) => events.locked(what),
       packAgain: () => this.packAgain(),
+      say: (text) => events.say(text),
+    });
+    this.islands = new IslandsTab({
+      pointed: (island) => views?.lightChart(island),
+      chosen: (island) => views?.goToCharts([island]),
       say: (text) => events.say(text),
     });
     this.sweep = new SweepTab(
@@ -148,7 +153,7 @@ export class ResultPanels {
   private clear(): void {
     this.last = null;
     this.views?.clearLayout();
-    element('layout-info', HTMLElement).textContent = '';
+    showText(element('layout-info', HTMLElement), '');
     this.metrics.clear();
     this.copyReport.clear();
     this.charts.clear();
@@ -198,10 +203,10 @@ export class ResultPanels {
 
   private showLayout(outcome: Outcome, drawing: FlatDrawing): void {
     this.views?.showOutcome(outcome, drawing);
-    element('layout-info', HTMLElement).textContent = layoutInfo(outcome);
+    showText(element('layout-info', HTMLElement), layoutInfo(outcome));
   }
 
-  private showDetails(outcome: Outcome, { chartColors }: FlatDrawing): void {
+  private showDetails(outcome: Outcome, { areas, chartColors }: FlatDrawing): void {
     const { bound, locks } = this.controls;
     if (outcome.mode === 'unwrap') {
       locks.show(outcome);
@@ -210,7 +215,7 @@ export class ResultPanels {
       return;
     }
     if (outcome.mode === 'pack') {
-      this.islands.show(outcome);
+      this.islands.show(outcome, areas);
       return;
     }
     const chart = foundChart(outcome);

@@ -39,7 +39,7 @@ export function stacksOf(arrays: ChartArrays): Stacks {
 const nameOf = ({ low, high }: Box) => [...low, ...high].map(Math.fround).join();
 
 /** Those with the same name, where there are several. */
-function grouped(charts: Iterable<number>, name: (chart: number) => string): number[][] {
+export function grouped(charts: Iterable<number>, name: (chart: number) => string): number[][] {
   const groups = new Map<string, number[]>();
   for (const chart of charts) {
     const own = name(chart);

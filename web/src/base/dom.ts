@@ -16,6 +16,12 @@ export function create<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** Shows a text that may be too long for its place: all of it is in the title. */
+export function showText(part: HTMLElement, text: string, title = text): void {
+  part.textContent = text;
+  part.title = title;
+}
+
 /** Makes a button stay pressed until it is pressed again. */
 export function bindToggle(id: string, changed: (isOn: boolean) => void): void {
   const button = element(id, HTMLButtonElement);

@@ -1,10 +1,11 @@
 import { type MeshSummary, UNWRAP_DEFAULTS, UNWRAP_OPTIONS } from 'abflat';
 import { create, element } from '../base/dom';
-import { RESOLUTIONS, type UnwrapSettings } from '../model/settings';
+import type { UnwrapSettings } from '../model/settings';
 import { STRETCH_LIMIT } from '../words/controls';
 import { BalanceControl } from './balance-control';
 import { MoreControl } from './more-control';
 import { NumberField } from './number-field';
+import { ResolutionControl } from './resolution-control';
 
 /** Stops of the slider, from nearly no stretch to hardly any seams. */
 export const STRETCHES = [
@@ -23,7 +24,7 @@ export class AtlasControl {
   private readonly slider = element('stretch', HTMLInputElement);
   private readonly value = element('stretch-value', HTMLOutputElement);
   private readonly hint = element('stretch-hint', HTMLElement);
-  private readonly resolution = element('resolution', HTMLSelectElement);
+  private readonly resolution: ResolutionControl;
   private readonly padding: NumberField<number>;
   private readonly balance: BalanceControl;
   private readonly more: MoreControl;
@@ -37,16 +38,17 @@ export class AtlasControl {
   ) {
     this.slider.max = String(STRETCHES.length - 1);
     this.slider.valueAsNumber = STRETCHES.indexOf(UNWRAP_DEFAULTS.maxStretch);
-    this.resolution.append(
-      ...RESOLUTIONS.map((texels) => new Option(STRETCH_LIMIT.pixels(texels), String(texels))),
-    );
-    this.resolution.value = String(UNWRAP_DEFAULTS.resolution);
     this.padding = new NumberField<number>(
       element('padding', HTMLInputElement),
       UNWRAP_OPTIONS.padding,
       UNWRAP_DEFAULTS.padding,
       changed,
       say,
+    );
+    this.resolution = new ResolutionControl(
+      element('resolution', HTMLSelectElement),
+      this.padding,
+      changed,
     );
     this.balance = new BalanceControl('unwrap', changed);
     this.more = new MoreControl(changed, say);
@@ -56,7 +58,6 @@ export class AtlasControl {
       this.showStretch();
       this.changed();
     });
-    this.resolution.addEventListener('change', () => this.changed());
     element('unwrap-options', HTMLFormElement).addEventListener('submit', (event) =>
       event.preventDefault(),
     );
@@ -72,7 +73,7 @@ export class AtlasControl {
       mode: 'unwrap',
       maxStretch: STRETCHES[this.slider.valueAsNumber],
       balance: this.balance.balance,
-      resolution: Number(this.resolution.value),
+      resolution: this.resolution.value,
       padding: this.padding.value,
       ...this.more.settings,
     };
@@ -81,7 +82,7 @@ export class AtlasControl {
   /** Shows other settings without asking for them. */
   restore({ maxStretch, balance, resolution, padding, ...others }: UnwrapSettings): void {
     this.slider.valueAsNumber = STRETCHES.indexOf(maxStretch);
-    this.resolution.value = String(resolution);
+    this.resolution.restore(resolution);
     this.padding.restore(padding);
     this.balance.restore(balance);
     this.more.restore(others);

@@ -1,7 +1,7 @@
 import type { MeshSummary, StatusName } from 'abflat';
 import { element } from '../base/dom';
 import type { Mode } from '../model/settings';
-import { DISK_NEEDS, MODE_HINTS, NO_DISK } from '../words/controls';
+import { DISK_NEEDS, NO_DISK } from '../words/controls';
 import { sentence } from '../words/format';
 
 const MODES: Mode[] = ['flatten', 'unwrap', 'pack'];
@@ -14,7 +14,6 @@ const NEEDS: Partial<Record<StatusName, string>> = DISK_NEEDS;
  */
 export class ModeSwitch {
   private readonly buttons = MODES.map((mode) => element(`mode-${mode}`, HTMLButtonElement));
-  private readonly hint = element('mode-hint', HTMLElement);
   private chosen: Mode = 'unwrap';
   /** Whether the open mesh is a disk. */
   private disk: MeshSummary['disk'] = { ok: true, code: 'Ok', message: '' };
@@ -73,8 +72,7 @@ export class ModeSwitch {
     pack.hidden = !this.hasUvs;
     flatten.disabled = !ok;
     const need = NEEDS[code as StatusName];
-    flatten.title = ok ? '' : NO_DISK.flatten(`${sentence(message)}.`, need);
-    this.hint.textContent = MODE_HINTS[this.mode];
+    flatten.title = ok ? NO_DISK.not : NO_DISK.flatten(`${sentence(message)}.`, need);
     document.body.dataset.mode = this.mode;
   }
 }

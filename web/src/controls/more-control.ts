@@ -1,5 +1,5 @@
 import { UNWRAP_OPTIONS } from 'abflat';
-import { create, element } from '../base/dom';
+import { create, element, showText } from '../base/dom';
 import {
   canHaveTiles,
   changedOptions,
@@ -89,8 +89,7 @@ export class MoreControl {
 
   private show(): void {
     const changes = changedOptions(this.settings).join(', ');
-    this.state.textContent = changes;
-    this.state.title = changes;
+    showText(this.state, changes);
     this.keepUv.setAttribute('aria-pressed', String(Boolean(this.options.fixedFaces)));
     for (const show of this.shows) show();
     if (this.udim) this.udim.disabled = !canHaveTiles(this.options);

@@ -4,19 +4,18 @@ import {
   type PackChoices,
   type PackSettings,
   packSettings,
-  RESOLUTIONS,
   usualPackChoices,
 } from '../model/settings';
-import { STRETCH_LIMIT } from '../words/controls';
 import { sentence } from '../words/format';
 import { NumberField } from './number-field';
+import { ResolutionControl } from './resolution-control';
 
 /** The UVs of the file as they are, or packed and how. */
 export class PackControl {
   private readonly keep = element('pack-keep', HTMLButtonElement);
   private readonly pack = element('pack-islands', HTMLButtonElement);
   private readonly how = element('pack-how', HTMLElement);
-  private readonly resolution = element('pack-resolution', HTMLSelectElement);
+  private readonly resolution: ResolutionControl;
   private readonly rotate = element('pack-rotate', HTMLSelectElement);
   private readonly sizes = element('pack-sizes', HTMLSelectElement);
   private readonly padding: NumberField<number>;
@@ -28,9 +27,6 @@ export class PackControl {
     say: (text: string) => void,
   ) {
     const usual = usualPackChoices();
-    this.resolution.append(
-      ...RESOLUTIONS.map((texels) => new Option(STRETCH_LIMIT.pixels(texels), String(texels))),
-    );
     fill(this.rotate, PACK_OPTIONS.rotate);
     fill(this.sizes, PACK_OPTIONS.islandSizes);
     const number = <T extends number | 'auto'>(name: 'padding' | 'margin', value: T) => {
@@ -40,9 +36,13 @@ export class PackControl {
     };
     this.padding = number<number>('padding', usual.padding);
     this.margin = number<PackChoices['margin']>('margin', usual.margin);
+    this.resolution = new ResolutionControl(
+      element('pack-resolution', HTMLSelectElement),
+      this.padding,
+      changed,
+    );
     this.reset();
-    for (const select of [this.resolution, this.rotate, this.sizes])
-      select.addEventListener('change', changed);
+    for (const select of [this.rotate, this.sizes]) select.addEventListener('change', changed);
     this.keep.addEventListener('click', () => this.setKeeping(true));
     this.pack.addEventListener('click', () => this.setKeeping(false));
     element('pack-options', HTMLFormElement).addEventListener('submit', (event) =>
@@ -51,7 +51,7 @@ export class PackControl {
   }
 
   get settings(): PackSettings {
-    return packSettings(this.keepsPlaces, Number(this.resolution.value), {
+    return packSettings(this.keepsPlaces, this.resolution.value, {
       padding: this.padding.value,
       margin: this.margin.value,
       rotate: this.rotate.value as PackChoices['rotate'],
@@ -76,7 +76,7 @@ export class PackControl {
   restore({ keepPlaces, resolution, ...choices }: PackSettings): void {
     const { padding, margin, rotate, islandSizes } = choices;
     this.keepsPlaces = keepPlaces;
-    this.resolution.value = String(resolution);
+    this.resolution.restore(resolution);
     if (padding !== undefined) this.padding.restore(padding);
     if (margin !== undefined) this.margin.restore(margin);
     if (rotate !== undefined) this.rotate.value = rotate;

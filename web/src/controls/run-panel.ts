@@ -1,6 +1,8 @@
-import { element } from '../base/dom';
+import { element, showText } from '../base/dom';
 import type { AnyProgress } from '../model/model';
+import type { Mode } from '../model/settings';
 import { SOLVER_PROGRESS, STAGES } from '../words/run';
+import { RunClock, usualSearch } from './run-clock';
 
 /** In milliseconds: showing the progress of faster runs would only flicker. */
 const QUIET = 120;
@@ -17,6 +19,8 @@ export class RunPanel {
   private readonly live = element('live', HTMLElement);
   private delay: number | undefined;
   private what = '';
+  private clock = new RunClock(null);
+  private search = usualSearch(0);
 
   constructor(cancel: () => unknown, again: () => void) {
     this.cancelButton.addEventListener('click', cancel);
@@ -26,8 +30,15 @@ export class RunPanel {
     });
   }
 
-  /** `verb`: the label of the button that repeats the run. */
-  start(what: string, verb: string): void {
+  /** A mesh was read, and is going to be laid out. */
+  opened(triangles: number): void {
+    this.search = usualSearch(triangles);
+  }
+
+  /** `verb`: the label of the button that repeats the run; `mode`: what is made, null: a mesh is read. */
+  start(what: string, verb: string, mode: Mode | null): void {
+    this.search = this.clock.search ?? this.search;
+    this.clock = new RunClock(mode === 'unwrap' ? this.search : null);
     this.againButton.textContent = verb;
     this.cancelButton.disabled = false;
     this.againButton.hidden = true;
@@ -44,11 +55,13 @@ export class RunPanel {
   }
 
   progress({ stage, newtonStep, constraintResidual, fraction }: AnyProgress): void {
-    this.bar.value = fraction;
+    const { passed, left } = this.clock.at(fraction);
+    this.bar.value = passed;
     if (!this.bar.classList.contains('active')) return;
     const name = STAGES[stage];
-    this.text.textContent =
+    const doing =
       newtonStep > 0 ? SOLVER_PROGRESS.atStep(name, newtonStep, constraintResidual) : name;
+    this.text.textContent = left === null ? doing : SOLVER_PROGRESS.left(doing, left);
   }
 
   /** Work other than a run, which can be cancelled too. */
@@ -64,8 +77,7 @@ export class RunPanel {
   say(text: string): void {
     this.live.textContent = text;
     if (!this.cancelButton.disabled) return;
-    this.text.textContent = text;
-    this.text.title = text;
+    showText(this.text, text);
   }
 
   /** Shows the repeat button under another label. */
@@ -81,8 +93,7 @@ export class RunPanel {
     const hadFocus = document.activeElement === this.cancelButton;
     this.bar.classList.remove('active');
     this.bar.value = 0;
-    this.text.textContent = text;
-    this.text.title = text;
+    showText(this.text, text);
     this.live.textContent = text;
     this.cancelButton.disabled = true;
     this.againButton.hidden = !canRepeat;

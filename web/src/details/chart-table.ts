@@ -4,7 +4,7 @@ import type { Stack } from '../model/stacks';
 import { svg } from '../plot/svg';
 import { CHART_LIST, LOCKS } from '../words/charts';
 import { VALIDITY } from '../words/details';
-import { count } from '../words/format';
+import { count, inPageWords } from '../words/format';
 import { type ChartRow, COLUMNS, chartRows, type Order, sortedRows } from './chart-rows';
 
 /** Nobody reads more rows, and they would be slow. */
@@ -131,7 +131,7 @@ export class ChartTable {
     const verdict = made.lastElementChild as HTMLElement;
     verdict.className = chart.valid ? 'good' : 'bad';
     verdict.ariaLabel = chart.valid ? VALIDITY.valid : VALIDITY.notValid;
-    verdict.title = chart.problem;
+    verdict.title = inPageWords(chart.problem);
     made.append(this.lockCell(index));
     made.addEventListener('mouseenter', () => this.events.pointed(index));
     made.addEventListener('focusin', () => this.events.pointed(index));

@@ -2,24 +2,28 @@
 
 import type { PackReport } from 'abflat';
 import { FAULTS } from '../colors/fault-colors';
+import { faultyFaces } from '../model/faulty-faces';
 import type { Packed } from '../model/model';
 import { ended, sentence } from '../words/format';
 import { BADGES, ISLANDS, UV_FAULTS } from '../words/result';
 import type { Verdict } from './remedy';
 
 /** "12 faces overlap, 3 faces flipped"; '' if no face has a fault. */
-const faultsText = ({ faces }: PackReport) =>
-  FAULTS.filter((fault) => faces[fault] > 0)
+function faultsText(packed: Packed): string {
+  const faces = faultyFaces(packed);
+  return FAULTS.filter((fault) => faces[fault] > 0)
     .map((fault) => UV_FAULTS[fault](faces[fault]))
     .join(', ');
+}
 
-export function ofIslands({ settings, result: { report } }: Packed): Verdict {
-  return settings.keepPlaces ? ofFile(report) : ofPacked(report);
+export function ofIslands(packed: Packed): Verdict {
+  return packed.settings.keepPlaces ? ofFile(packed) : ofPacked(packed.result.report);
 }
 
 /** What lies on each other, or is mirrored, may do so on purpose. */
-function ofFile(report: PackReport): Verdict {
-  const reason = faultsText(report);
+function ofFile(packed: Packed): Verdict {
+  const { report } = packed.result;
+  const reason = faultsText(packed);
   if (!reason) return { badge: BADGES.valid, reason: ISLANDS.noFaults, remedy: null };
   if (report.valid) return { badge: BADGES.asInFile, reason, remedy: null };
   return { badge: BADGES.notValid, reason, remedy: 'islands' };

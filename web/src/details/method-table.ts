@@ -1,7 +1,8 @@
 import type { MethodResult } from 'abflat';
 import { create } from '../base/dom';
-import { METHOD_COLUMNS, METHODS, VALIDITY } from '../words/details';
+import { METHODS, VALIDITY } from '../words/details';
 import { brief, count, distortion, duration, sentence } from '../words/format';
+import { METHOD_COLUMNS } from '../words/methods';
 
 interface ColumnOf {
   name: string;

@@ -1,8 +1,9 @@
 import type { PackReport, Report, UnwrapReport } from 'abflat';
-import { create, element } from '../base/dom';
-import { FAULTS } from '../colors/fault-colors';
+import { bindToggle, create, element, showText } from '../base/dom';
+import { FAULTS, type UvFault } from '../colors/fault-colors';
 import type { ChartAreas } from '../mesh/chart-areas';
 import type { FlatDrawing } from '../model/drawing';
+import { faultyFaces } from '../model/faulty-faces';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Outcome } from '../model/model';
@@ -34,6 +35,9 @@ interface Metric<S> {
 /** An atlas as it is drawn: what its report says of packing need not hold any more. */
 type MeasuredAtlas = UnwrapReport & { areas: ChartAreas | null };
 
+/** The UVs of a file, with the number of faces that have each fault. */
+type MeasuredLayout = PackReport & { faulty: Record<UvFault, number> };
+
 /** Texels per unit of the mesh, of the whole surface. */
 function densityOf(areas: ChartAreas | null, resolution: number): number {
   const sum = (values: Float64Array = new Float64Array()) =>
@@ -43,18 +47,14 @@ function densityOf(areas: ChartAreas | null, resolution: number): number {
 
 const OF_DISK: Metric<Report>[] = [
   {
-    ...DISK_METRICS.angle,
-    value: ({ charts: [chart] }) => distortion(chart.angularDistortion),
-    measure: 'angle',
-  },
-  {
-    ...DISK_METRICS.length,
-    value: ({ charts: [chart] }) => distortion(chart.lengthDistortion),
-  },
-  {
     ...DISK_METRICS.stretch,
     value: ({ charts: [chart] }) => stretch(chart.symmetricDirichlet),
     measure: 'stretch',
+  },
+  {
+    ...DISK_METRICS.angle,
+    value: ({ charts: [chart] }) => distortion(chart.angularDistortion),
+    measure: 'angle',
   },
   {
     ...DISK_METRICS.crossings,
@@ -65,6 +65,10 @@ const OF_DISK: Metric<Report>[] = [
     ...DISK_METRICS.flipped,
     value: ({ charts: [chart] }) => count(chart.flippedTriangles),
     isBad: ({ charts: [chart] }) => chart.flippedTriangles > 0,
+  },
+  {
+    ...DISK_METRICS.length,
+    value: ({ charts: [chart] }) => distortion(chart.lengthDistortion),
   },
   {
     ...METRICS.faces,
@@ -83,18 +87,9 @@ const OF_ATLAS: Metric<MeasuredAtlas>[] = [
     isBad: ({ valid }) => !valid,
   },
   {
-    ...ATLAS_METRICS.seamLength,
-    value: ({ seams }) => measure(seams.relativeLength),
-  },
-  {
     ...ATLAS_METRICS.stretch,
     value: ({ symmetricDirichlet }) => stretch(symmetricDirichlet),
     measure: 'stretch',
-  },
-  {
-    ...ATLAS_METRICS.angle,
-    value: ({ angularDistortion }) => distortion(angularDistortion),
-    measure: 'angle',
   },
   {
     ...ATLAS_METRICS.utilization,
@@ -105,25 +100,34 @@ const OF_ATLAS: Metric<MeasuredAtlas>[] = [
     value: ({ atlas, areas }) => measure(densityOf(areas, atlas.resolution)),
   },
   {
+    ...ATLAS_METRICS.seamLength,
+    value: ({ seams }) => measure(seams.relativeLength),
+  },
+  {
+    ...ATLAS_METRICS.angle,
+    value: ({ angularDistortion }) => distortion(angularDistortion),
+    measure: 'angle',
+  },
+  {
     ...METRICS.faces,
     value: ({ input }) => count(input.faces),
   },
 ];
 
-const OF_ISLANDS: Metric<PackReport>[] = [
+const OF_ISLANDS: Metric<MeasuredLayout>[] = [
   {
     ...ISLAND_METRICS.islands,
     value: ({ islands }) => count(islands),
     isBad: ({ valid }) => !valid,
   },
-  ...FAULTS.map((fault) => ({
-    ...ISLAND_METRICS[fault],
-    value: ({ faces }: PackReport) => count(faces[fault]),
-  })),
   {
     ...ISLAND_METRICS.utilization,
     value: ({ utilization }) => percent(utilization),
   },
+  ...FAULTS.map((fault) => ({
+    ...ISLAND_METRICS[fault],
+    value: ({ faulty }: MeasuredLayout) => count(faulty[fault]),
+  })),
   {
     ...METRICS.faces,
     value: ({ input }) => count(input.faces),
@@ -159,7 +163,7 @@ export interface MetricsEvents {
   showWorst?: ((measure: Measure) => void) | undefined;
 }
 
-/** The numbers of a result, and how good it is. */
+/** The numbers of a result, the first ones in sight, and how good it is. */
 export class MetricsPanel {
   private readonly panel = element('result', HTMLElement);
   private readonly badge = element('badge', HTMLElement);
@@ -170,6 +174,7 @@ export class MetricsPanel {
   private readonly list = element('metrics', HTMLElement);
 
   constructor(private readonly events: MetricsEvents) {
+    bindToggle('all-figures', (isOn) => this.panel.classList.toggle('all', isOn));
     this.notesButton.addEventListener('click', () => events.showNotes());
     this.remedyButton.addEventListener('click', () => {
       if (this.verdict?.remedy) events.help(this.verdict.remedy);
@@ -220,7 +225,8 @@ export class MetricsPanel {
 
   private figuresOf(outcome: Outcome, areas: ChartAreas | null): HTMLElement[] {
     if (outcome.mode === 'flatten') return this.itemsOf(OF_DISK, outcome.result.report);
-    if (outcome.mode === 'pack') return this.itemsOf(OF_ISLANDS, outcome.result.report);
+    if (outcome.mode === 'pack')
+      return this.itemsOf(OF_ISLANDS, { ...outcome.result.report, faulty: faultyFaces(outcome) });
     return this.itemsOf(OF_ATLAS, { ...outcome.result.report, areas });
   }
 
@@ -241,8 +247,7 @@ export class MetricsPanel {
   }
 
   private setReason(text: string, title = text): void {
-    this.reason.textContent = text;
-    this.reason.title = title;
+    showText(this.reason, text, title);
   }
 }
 

@@ -4,7 +4,7 @@ import { isOutside, isOverlapping } from '../model/misplaced';
 import type { Outcome, Unwrapped } from '../model/model';
 import type { UnwrapSettings } from '../model/settings';
 import { stackedCharts } from '../model/stacks';
-import { sentence } from '../words/format';
+import { inPageWords, sentence } from '../words/format';
 import { BADGES, VERDICT } from '../words/result';
 import { ofIslands } from './islands';
 import type { Verdict } from './remedy';
@@ -154,6 +154,6 @@ function defects({ charts }: UnwrapReport): string {
   return [
     ...(outside.length > 0 ? [VERDICT.outside(outside.length)] : []),
     ...(overlapping.length > 0 ? [VERDICT.overlapping(overlapping.length)] : []),
-    ...(others.length > 0 ? [VERDICT.defects(others.length, others[0])] : []),
+    ...(others.length > 0 ? [VERDICT.defects(others.length, inPageWords(others[0]))] : []),
   ].join(', ');
 }

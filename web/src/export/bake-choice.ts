@@ -7,9 +7,10 @@ import { BAKE_CHOICE } from '../words/baking';
 
 const SIDES: ImageSide[] = ['auto', 1024, 2048, 4096, 8192];
 
-/** Whether textures follow the new layout, and the size of their images, in the menu of exports. */
+/** Whether textures follow the new layout: a button, and in the menu of exports with the size of their images. */
 export class BakeChoice {
   private readonly item = itemOf('menuitemcheckbox', BAKE_CHOICE.title);
+  private readonly button = element('bake-too', HTMLButtonElement);
   private readonly what = create('small', 'bake-what');
   private readonly sizes = create('div', 'bake-sizes');
   private side: ImageSide = 'auto';
@@ -17,7 +18,8 @@ export class BakeChoice {
   constructor(private readonly changed: () => void) {
     this.item.id = 'bake';
     this.item.append(' ', this.what);
-    this.item.addEventListener('click', () => this.choose(!this.isOn, this.side));
+    for (const each of [this.item, this.button])
+      each.addEventListener('click', () => this.choose(!this.isOn, this.side));
     this.sizes.role = 'group';
     this.sizes.ariaLabel = BAKE_CHOICE.sides;
     this.sizes.append(...SIDES.map((side) => this.sizeOf(side)));
@@ -31,6 +33,7 @@ export class BakeChoice {
     const isOffered = isBakeable(outcome);
     this.item.hidden = !isOffered;
     this.item.disabled = !isOffered || !isOneTile(outcome);
+    this.button.disabled = this.item.disabled;
     this.what.textContent =
       isOffered && this.item.disabled ? BAKE_CHOICE.oneTile : BAKE_CHOICE.what;
     this.update();
@@ -59,6 +62,7 @@ export class BakeChoice {
 
   private update(): void {
     this.sizes.hidden = this.imageSide === null;
+    this.button.ariaPressed = String(this.imageSide !== null);
     for (const size of this.sizes.querySelectorAll('button'))
       size.ariaChecked = String(size.dataset.value === String(this.side));
   }

@@ -6,6 +6,7 @@ import { isGlb, meshFileOf } from '../base/mesh-files';
 import { GLTF } from '../words/gltf';
 import { READING } from '../words/opening';
 import { NEWER } from './meshopt-views';
+import { fileNamed, nameOf } from './missing-files';
 
 const KNOWN = new Set<string>([...ALL_EXTENSIONS.map((each) => each.EXTENSION_NAME), NEWER]);
 
@@ -87,9 +88,7 @@ function parseJson(name: string, text: string): JSONDocument['json'] {
   }
 }
 
-/**
- * The files that a document refers to, found by name only: a browser does not tell where they are.
- */
+/** The files that a document refers to. */
 async function resources(
   name: string,
   { buffers = [], images = [] }: JSONDocument['json'],
@@ -98,9 +97,9 @@ async function resources(
   const found = new Map<string, Used>();
   for (const { uri } of [...buffers, ...images]) {
     if (uri === undefined || uri.startsWith('data:')) continue;
-    const wanted = decodeURIComponent(uri).split('/').at(-1);
-    const file = others.find((other) => other.name === wanted);
-    if (!file) throw new Error(GLTF.needs(name, wanted));
+    const wanted = decodeURIComponent(uri);
+    const file = fileNamed(wanted, others);
+    if (!file) throw new Error(GLTF.needs(name, nameOf(wanted)));
     found.set(uri, { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
   }
   return found;

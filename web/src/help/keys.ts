@@ -24,13 +24,15 @@ export const CONTROLS: ControlGroup[] = [
     controls: [
       {
         keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'],
-        gestures: GESTURES.drag,
+        gestures: GESTURES.turnView,
         does: HELP.mesh.turn,
       },
       { keys: ['+', '=', '-'], gestures: GESTURES.wheel, does: HELP.mesh.zoom },
       { keys: [], gestures: GESTURES.moveView, does: HELP.mesh.move },
       { keys: ['1', '3', '7'], does: HELP.mesh.lookFrom },
+      { keys: ['Ctrl+1', 'Ctrl+3', 'Ctrl+7'], does: HELP.mesh.opposite },
       { keys: ['9'], does: HELP.mesh.otherSide },
+      { keys: ['5'], does: HELP.mesh.flat },
       { keys: ['Home', '0'], does: HELP.mesh.whole },
       { keys: ['Z'], does: HELP.mesh.shading },
     ],

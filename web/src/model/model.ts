@@ -15,7 +15,7 @@ import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { Drawing, FlatDrawing } from './drawing';
 import type { NamedParts } from './named-parts';
 import type { FlattenSettings, PackSettings, UnwrapSettings } from './settings';
-import type { Stack, Stacks } from './stacks';
+import type { FileStacks, Stack, Stacks } from './stacks';
 
 /** Where a mesh comes from. `name` is for people and for the names of exported files. */
 export type Source = { kind: 'sample'; name: string } | FileSource;
@@ -123,6 +123,8 @@ export interface Packed extends Made {
   mode: 'pack';
   settings: PackSettings;
   result: PackResult;
+  /** Undefined if nothing overlaps, or the islands are packed. */
+  fileStacks?: FileStacks;
 }
 
 export type Outcome = Flattened | Unwrapped | Packed;
@@ -135,6 +137,8 @@ export interface Helpers {
   outcome(outcome: Outcome): Promise<FlatDrawing>;
   gltf(source: FileSource, signal: AbortSignal): Promise<GltfFile>;
   joined(mesh: ArrayMesh): Promise<ArrayMesh>;
+  /** Islands of a file that share texels on purpose. */
+  fileStacks(packed: Packed): Promise<FileStacks>;
   /** Charts of an atlas that share texels. */
   stacks(atlas: AtlasLayout): Promise<Stacks>;
   /** See arrange/stacks.ts. */

@@ -9,6 +9,15 @@ export interface Stacks {
   repeated: number;
 }
 
+/** The islands of a file that lie on each other on purpose. */
+export interface FileStacks {
+  stacks: Stack[];
+  /** Those of the file, with STACKED in place of `overlapping` in stacks. */
+  faults: Uint8Array;
+  /** With a triangle that is stacked. */
+  faces: number;
+}
+
 /** Those that abflat has made or found, where equal charts are to be stacked; undefined if there are none. */
 export function stacksIn({ charts }: UnwrapReport): Stack[] | undefined {
   const stacks = new Map<number, Stack>();

@@ -1,6 +1,7 @@
 // Finds the mesh among files that were chosen or dropped together.
 
 import { meshFileOf } from '../base/mesh-files';
+import { nameOf } from '../files/missing-files';
 import type { FileSource } from '../model/model';
 import { CHOSEN_FILES } from '../words/opening';
 
@@ -22,10 +23,26 @@ export function sourcesOf(files: File[]): FileSource[] {
   const isGltf = ({ name }: File) => meshFileOf(name)?.ending === '.gltf';
   const ordered = [...chosen.filter(isGltf), ...chosen.filter((file) => !isGltf(file))];
   const together: FileSource[] = [];
-  for (const file of ordered)
-    together.push({ kind: 'file', name: file.name, file, others, together });
+  for (const file of ordered) {
+    const name = nameOf(file.name);
+    together.push({ kind: 'file', name, file, others: nearestFirst(file, others), together });
+  }
   return together;
 }
+
+/** Those of an archive are in folders: of files with one name, the nearest to the mesh is meant. */
+function nearestFirst(mesh: File, others: File[]): File[] {
+  const shared = new Map(others.map((file) => [file, sharedFolders(mesh.name, file.name)]));
+  return [...others].sort((a, b) => (shared.get(b) ?? 0) - (shared.get(a) ?? 0));
+}
+
+function sharedFolders(a: string, b: string): number {
+  const [x, y] = [a, b].map((path) => path.split('/').slice(0, -1));
+  const apart = x.findIndex((folder, i) => folder !== y[i]);
+  return apart < 0 ? x.length : apart;
+}
+
+export const isZip = ({ name }: File): boolean => /\.zip$/i.test(name);
 
 /** Whether all of the files are images, which are shown on the mesh that is open. */
 export const areImages = (files: File[]): boolean =>

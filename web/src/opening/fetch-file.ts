@@ -1,4 +1,4 @@
-import { FETCH_FAILED } from '../words/web';
+import { FETCH_FAILED } from '../words/web-sheet';
 import { nameOf } from './address';
 
 /** What goes on while files are fetched. */

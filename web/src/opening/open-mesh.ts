@@ -1,9 +1,9 @@
 import { element, isTyping } from '../base/dom';
 import type { FileSource, Source } from '../model/model';
 import { MESH_FILES } from '../words/generated-formats';
-import { JOINING } from '../words/opening';
+import { JOINING, UNPACKING } from '../words/opening';
 import { placeOf } from './address';
-import { areImages, noMesh, sourcesOf } from './chosen-files';
+import { areImages, isZip, noMesh, sourcesOf } from './chosen-files';
 import { filesOf } from './dropped-files';
 import { FromWeb } from './from-web';
 import { type GatherEvents, Gathering } from './gathering';
@@ -21,6 +21,8 @@ export interface OpenEvents extends Pick<GatherEvents, 'gathering' | 'gathered'>
   refused(reason: string): void;
   /** Makes one file of several meshes. */
   joined(sources: FileSource[], signal: AbortSignal): Promise<File>;
+  /** The files in an archive. */
+  unzipped(archive: File): Promise<File[]>;
 }
 
 /** Binds the ways to choose a mesh: drop, paste, file dialog, samples, a link and "Open with" of the system. */
@@ -68,13 +70,26 @@ export class Opening {
   private openFiles(files: File[]): void {
     if (files.length === 0) return;
     const [source] = sourcesOf(files);
-    if (areImages(files)) this.events.images(files);
+    if (files.some(isZip)) this.unpack(files);
+    else if (areImages(files)) this.events.images(files);
     else if (source) this.open(source);
     else this.events.refused(noMesh(files));
+  }
+
+  /** Opens what archives hold, with the files beside them. */
+  private unpack(files: File[]): void {
+    const { name } = files.filter(isZip)[0];
+    const contentOf = (file: File) => (isZip(file) ? this.events.unzipped(file) : [file]);
+    this.gathering.start({
+      name,
+      doing: UNPACKING(name),
+      task: async () => (await Promise.all(files.map(contentOf))).flat(),
+    });
   }
 }
 
 type OpenFiles = (files: File[]) => void;
+
 function bindDialog(openFiles: OpenFiles): void {
   const input = element('file', HTMLInputElement);
   // Beside what may come with a mesh.

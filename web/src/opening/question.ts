@@ -1,6 +1,6 @@
 import '../css/question.css';
 import { create } from '../base/dom';
-import { QUESTION } from '../words/web';
+import { QUESTION } from '../words/web-sheet';
 
 export interface Question {
   title: string;

@@ -1,6 +1,6 @@
 // What is asked before anything is fetched from another server.
 
-import { WEB_SHEET } from '../words/web';
+import { WEB_SHEET } from '../words/web-sheet';
 import { type Address, shown } from './address';
 import { namesFiles } from './fetch-mesh';
 import type { Question } from './question';

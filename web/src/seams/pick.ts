@@ -4,9 +4,7 @@ import { edgeBetween, type SurfaceGraph } from '../surface/surface-graph';
 import type { Pixel, Sight } from '../view/sight';
 
 /** The farthest a target may be from the pointer, in css pixels. */
-const REACH = 12;
-/** The radius of a brush, in css pixels. */
-const BRUSH = 8;
+export const REACH = 12;
 /** How many candidates are tested for visibility; further ones would be hidden too. */
 const MOST_TRIES = 6;
 /** How far a point may lie behind the surface that it is on, as a share of the distance. */
@@ -41,42 +39,6 @@ export function vertexAt(solid: Solid, sight: Sight, at: Pixel, wanted: Iterable
   return corners.reduce((best, v) => (pixels(v) < pixels(best) ? v : best));
 }
 
-/** Those of some vertices that a vertex under one of several pixels could be snapped to. */
-export function withinReach(
-  solid: Solid,
-  sight: Sight,
-  pixels: Pixel[],
-  vertices: Iterable<number>,
-): number[] {
-  const [xs, ys] = [pixels.map(({ x }) => x), pixels.map(({ y }) => y)];
-  const [left, right] = [Math.min(...xs) - REACH, Math.max(...xs) + REACH];
-  const [top, bottom] = [Math.min(...ys) - REACH, Math.max(...ys) + REACH];
-  const found: number[] = [];
-  for (const v of vertices) {
-    const pixel = sight.pixel(solid.points, v);
-    if (!pixel || pixel.x < left || pixel.x > right || pixel.y < top || pixel.y > bottom) continue;
-    found.push(v);
-  }
-  return found;
-}
-
-/** Those of some points (xyz each) that are within a radius around a pixel, and visible. */
-export function pointsAround(
-  solid: Solid,
-  sight: Sight,
-  at: Pixel,
-  points: Float32Array,
-  radius: number,
-): number[] {
-  const found: number[] = [];
-  for (let i = 0; 3 * i < points.length; ++i) {
-    const pixel = sight.pixel(points, i);
-    if (!pixel || distance(pixel, at) > radius) continue;
-    if (isInSight(solid, sight, new Vector3().fromArray(points, 3 * i))) found.push(i);
-  }
-  return found;
-}
-
 /**
  * The edge of `edges` (two vertices each in `ends`) that is nearest to a pixel, in reach and
  * visible; -1 if there is none.
@@ -99,30 +61,6 @@ export function edgeAt(
     near.push({ index, pixels, point: pointOf(solid, a).lerp(pointOf(solid, b), share) });
   }
   return nearestInSight(solid, sight, near);
-}
-
-/**
- * Those of `edges` that a brush at a pixel goes over, and that are visible: it must come near their
- * middle part, because at their ends there are others.
- */
-export function edgesUnder(
-  solid: Solid,
-  sight: Sight,
-  at: Pixel,
-  ends: Uint32Array,
-  edges: Iterable<number>,
-): number[] {
-  const found: number[] = [];
-  for (const edge of edges) {
-    const [a, b] = [ends[2 * edge], ends[2 * edge + 1]];
-    const [from, to] = [sight.pixel(solid.points, a), sight.pixel(solid.points, b)];
-    if (!from || !to) continue;
-    const margin = Math.min(REACH / distance(from, to), 1 / 2);
-    const share = Math.min(1 - margin, Math.max(margin, nearestShare(from, to, at)));
-    if (distance(between(from, to, share), at) > BRUSH) continue;
-    if (isInSight(solid, sight, pointOf(solid, a).lerp(pointOf(solid, b), share))) found.push(edge);
-  }
-  return found;
 }
 
 /** The edge near a pixel that is not near either of its ends; -1 if there is none. */
@@ -158,7 +96,7 @@ function nearestInSight(solid: Solid, sight: Sight, candidates: Candidate[]): nu
   return found ? found.index : -1;
 }
 
-function isInSight(solid: Solid, sight: Sight, point: Vector3): boolean {
+export function isInSight(solid: Solid, sight: Sight, point: Vector3): boolean {
   const pixel = sight.pixel(point.toArray(), 0);
   if (!pixel) return false;
   const ray = sight.ray(pixel);
@@ -166,21 +104,21 @@ function isInSight(solid: Solid, sight: Sight, point: Vector3): boolean {
   return !hit || hit.distance >= (1 - SLACK) * point.distanceTo(ray.origin);
 }
 
-function pointOf({ points }: Solid, v: number): Vector3 {
+export function pointOf({ points }: Solid, v: number): Vector3 {
   return new Vector3().fromArray(points, 3 * v);
 }
 
-function distance(a: Pixel, b: Pixel): number {
+export function distance(a: Pixel, b: Pixel): number {
   return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
-const between = (from: Pixel, to: Pixel, share: number): Pixel => ({
+export const between = (from: Pixel, to: Pixel, share: number): Pixel => ({
   x: from.x + share * (to.x - from.x),
   y: from.y + share * (to.y - from.y),
 });
 
 /** How far along the line between two pixels it comes nearest to a third, 0 to 1. */
-function nearestShare(from: Pixel, to: Pixel, at: Pixel): number {
+export function nearestShare(from: Pixel, to: Pixel, at: Pixel): number {
   const [x, y] = [to.x - from.x, to.y - from.y];
   const along = (at.x - from.x) * x + (at.y - from.y) * y;
   const square = x * x + y * y;

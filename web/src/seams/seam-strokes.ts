@@ -2,7 +2,7 @@ import type { NearbyPaths } from '../surface/nearby-paths';
 import { NO_MARKS, type SeamMarks } from '../view/seam-overlay';
 import type { Pixel, Sight } from '../view/sight';
 import { SEAMS } from '../words/seams';
-import { edgesUnder, withinReach } from './pick';
+import { edgesUnder, withinReach } from './brush';
 import type { SeamModel } from './seam-model';
 import { endsOf, placeAt, type Targets } from './seam-targets';
 import { Trail } from './trail';

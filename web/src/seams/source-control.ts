@@ -1,4 +1,4 @@
-import { element } from '../base/dom';
+import { element, showText } from '../base/dom';
 import { refusal } from '../controls/number-field';
 import { SEAM_SOURCES } from '../words/seams';
 import type { Offered, SeamChoice, SeamSources } from './seam-choice';
@@ -71,8 +71,7 @@ export class SourceControl {
       this.angle = sharp;
       this.degrees.valueAsNumber = sharp;
     }
-    this.state.textContent = stateText(this.sources, edges, isCutFurther);
-    this.state.title = this.state.textContent;
+    showText(this.state, stateText(this.sources, edges, isCutFurther));
   }
 
   private readDegrees(): void {

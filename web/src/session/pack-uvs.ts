@@ -1,9 +1,12 @@
-import type { Abflat } from 'abflat';
+import type { Abflat, PackResult } from 'abflat';
 import { copied } from '../base/buffers';
 import { exportFormatOf } from '../base/mesh-files';
-import type { AnyProgress, Opened, Packed } from '../model/model';
+import type { AnyProgress, Helpers, Opened, Packed } from '../model/model';
 import type { PackSettings } from '../model/settings';
 import type { ExportFormat } from '../words/generated-formats';
+
+/** Layouts of UDIM tiles have some, not one far away. */
+const MOST_TILES = 200;
 
 interface Watch {
   signal: AbortSignal;
@@ -19,13 +22,32 @@ export async function packUvs(
   format: ExportFormat = exportFormatOf(source.name),
 ): Promise<Packed> {
   const { mode, ...options } = settings;
-  const result = await abflat.pack(await copied(gltf?.mesh ?? input), {
-    ...options,
-    ...(format === 'glb' ? {} : { [format]: true }),
-    transfer: true,
-    roundsForGltf: format === 'glb' || exportFormatOf(source.name) === 'glb',
-    ...watch,
-  });
+  const pack = async (udim: boolean) =>
+    abflat.pack(await copied(gltf?.mesh ?? input), {
+      ...options,
+      udim,
+      ...(format === 'glb' ? {} : { [format]: true }),
+      transfer: true,
+      roundsForGltf: format === 'glb' || exportFormatOf(source.name) === 'glb',
+      ...watch,
+    });
+  const inSquare = await pack(false);
+  const inTiles = settings.keepPlaces && inSquare.report.faces.outside > 0 && (await pack(true));
+  const result = inTiles && isInTiles(inTiles) ? inTiles : inSquare;
   // Vertices that were joined for unwrapping are not joined here.
   return { mode, source, mesh: gltf?.mesh ?? mesh, ...(gltf && { gltf }), settings, result };
+}
+
+/** Whether the layout is one of UDIM tiles: each island lies in one. */
+const isInTiles = ({ report }: PackResult) =>
+  report.faces.outside === 0 && report.tiles <= MOST_TILES;
+
+/** Tells islands that are stacked on purpose from those that overlap. */
+export async function tellStacks(
+  packed: Packed,
+  helpers: Pick<Helpers, 'fileStacks'>,
+): Promise<Packed> {
+  const { settings, result } = packed;
+  if (!settings.keepPlaces || result.report.faces.overlapping === 0) return packed;
+  return { ...packed, fileStacks: await helpers.fileStacks(packed) };
 }

@@ -11,12 +11,14 @@ import {
   isGltf,
   type Opened,
   type Outcome,
+  type Packed,
   type Source,
 } from '../model/model';
 import type { Settings } from '../model/settings';
 import { READING } from '../words/opening';
 import { layOut } from './lay-out';
 import { currentStep, type Left } from './left-meshes';
+import type { packUvs } from './pack-uvs';
 import { notSupported } from './words';
 
 export interface SessionEvents {
@@ -47,9 +49,6 @@ const PATIENCE = 150;
 
 /** Detail at which samples look good. */
 const SAMPLE_DETAIL = 2;
-
-/** It comes with what saves files, too, which asks for it. */
-const packing = () => loadPart(import('./pack-uvs'));
 
 /**
  * One mesh and one run at a time; the latest request wins. Requests are accepted while abflat is
@@ -187,7 +186,7 @@ export class Session {
       const abflat = await this.abflat();
       const outcome =
         settings.mode === 'pack'
-          ? await (await packing()).packUvs(abflat, opened, settings, watch)
+          ? await this.uvsOfFile(abflat, opened, settings, watch)
           : await layOut(abflat, opened, settings, last, watch, helpers);
       if (controller !== this.running) return;
       const drawing = await this.helpers.outcome(outcome);
@@ -196,6 +195,11 @@ export class Session {
     } catch (error) {
       this.end(controller, () => this.events.failed(opened.source, settings, explained(error)));
     }
+  }
+
+  private async uvsOfFile(...run: Parameters<typeof packUvs>): Promise<Packed> {
+    const part = await loadPart(import('./pack-uvs'));
+    return part.tellStacks(await part.packUvs(...run), this.helpers);
   }
 
   private begin(): AbortController {

@@ -63,7 +63,7 @@ export const notSupported = (name: string): string =>
 
 /** What went wrong as a sentence that names the mesh. */
 export function failure(source: Source, settings: Settings | null, message: string): string {
-  const text = inRoomWords(inPageWords(message));
+  const text = inPageWords(inRoomWords(message));
   if (text.includes(source.name)) return ended(text);
   return RUN.failed(titleOf(source), settings && layingOut(settings).done, text);
 }

@@ -1,5 +1,5 @@
 import type { Comparison, MethodResult } from 'abflat';
-import { element } from '../base/dom';
+import { element, showText } from '../base/dom';
 import type { MetricsPanel } from '../details/metrics';
 import type { Outcome } from '../model/model';
 import type { Views } from '../view/views';
@@ -33,7 +33,7 @@ export class ShownMethod {
     this.note.hidden = false;
     this.metrics.mark({ text: METRICS.ofResult, owner: ownerOf(outcome) });
     this.views?.showFlat(drawing, { ...method, bounds: [], delaunay: null });
-    element('layout-info', HTMLElement).textContent = method.title;
+    showText(element('layout-info', HTMLElement), method.title);
     element('method-note-text', HTMLElement).textContent = SHOWN.comparison(method.title);
   }
 

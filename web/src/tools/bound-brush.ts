@@ -1,4 +1,4 @@
-import { pointsAround } from '../seams/pick';
+import { pointsAround } from '../seams/brush';
 import type { Solid } from '../surface/solid';
 import { type Pixel, pixelOn } from '../view/sight';
 import type { ViewName, Views } from '../view/views';

@@ -21,22 +21,28 @@ const VERTEX = /* glsl */ `
   }
 `;
 
+/** A pixel holds numbers up to this one. */
+const DEEPEST = 0xffffff;
+
 const FRAGMENT = /* glsl */ `
   ${FLAGS_GLSL}
+  uniform bool isDepth;
   flat varying float vPiece;
   void main() {
     if (flagsOf(vPiece).r > 0.5) discard;
-    int chart = int(vPiece + 0.5);
-    gl_FragColor = vec4(vec3(chart & 255, (chart >> 8) & 255, chart >> 16) / 255.0, 1.0);
+    int n = int(isDepth ? ${DEEPEST}.0 * gl_FragCoord.z : vPiece + 0.5);
+    gl_FragColor = vec4(vec3(n & 255, (n >> 8) & 255, n >> 16) / 255.0, 1.0);
   }
 `;
 
-interface Frame {
-  width: number;
-  height: number;
-}
+type Place = [
+  at: Pixel,
+  object: Mesh,
+  camera: PerspectiveCamera | OrthographicCamera,
+  frame: { width: number; height: number },
+];
 
-/** Finds the chart at a pixel by drawing the charts' numbers into a picture of that pixel alone. */
+/** Finds what is at a pixel by drawing numbers into a picture of that pixel alone. */
 export class ChartPicker {
   private readonly target = new WebGLRenderTarget(1, 1);
   private readonly bytes = new Uint8Array(4);
@@ -45,7 +51,7 @@ export class ChartPicker {
     fragmentShader: FRAGMENT,
     side: DoubleSide,
     blending: NoBlending,
-    uniforms: { flags: { value: null } },
+    uniforms: { flags: { value: null }, isDepth: { value: false } },
   });
 
   /** Without `depthTest` the triangle that is drawn last counts. */
@@ -57,12 +63,20 @@ export class ChartPicker {
     this.material.depthWrite = depthTest;
   }
 
-  chartAt(
-    { x, y }: Pixel,
-    object: Mesh,
-    camera: PerspectiveCamera | OrthographicCamera,
-    { width, height }: Frame,
-  ): number | null {
+  chartAt(...where: Place): number | null {
+    return this.numberAt(...where);
+  }
+
+  /** 0 at the near plane of the camera, 1 at the far one. */
+  depthAt(...where: Place): number | null {
+    const { isDepth } = this.material.uniforms;
+    isDepth.value = true;
+    const depth = this.numberAt(...where);
+    isDepth.value = false;
+    return depth === null ? null : depth / DEEPEST;
+  }
+
+  private numberAt(...[{ x, y }, object, camera, { width, height }]: Place): number | null {
     const { renderer } = this;
     const [color, alpha] = [renderer.getClearColor(new Color()), renderer.getClearAlpha()];
     const painted = object.material;

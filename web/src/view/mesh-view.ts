@@ -5,14 +5,12 @@ import { facingOf } from '../mesh/mesh';
 import type { Appearance } from '../model/appearance';
 import { type Drawing, type FlatDrawing, FRAME } from '../model/drawing';
 import { define } from './define';
-import { Orbit } from './orbit';
+import { FIELD_OF_VIEW, Orbit } from './orbit';
 import { type SeamMarks, SeamOverlay } from './seam-overlay';
 import { isMeasure, type Shading } from './shading';
 import { type Pixel, Sight } from './sight';
 import { createSurfaceMaterial, paintSurface, SurfacePaint } from './surface-material';
 import { SurfaceScene } from './surface-scene';
-
-const FIELD_OF_VIEW = 32;
 
 /** The mesh in 3D. */
 export class MeshView {
@@ -20,7 +18,7 @@ export class MeshView {
   readonly ready: Promise<void>;
   readonly surface: SurfaceScene;
   readonly orbit: Orbit;
-  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
+  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW);
   private readonly material = createSurfaceMaterial();
   private readonly seams: SeamOverlay;
   /** `FRAME` of each shown chart. */
@@ -50,7 +48,13 @@ export class MeshView {
         },
       },
     );
-    this.orbit = new Orbit(this.camera, canvas, reducedMotion, () => this.surface.invalidate());
+    this.orbit = new Orbit(
+      this.camera,
+      canvas,
+      reducedMotion,
+      () => this.surface.invalidate(),
+      (at) => this.distanceAt(at),
+    );
     this.seams = new SeamOverlay();
     this.surface.scene.add(this.seams.object);
     this.ready = this.surface.start();
@@ -113,6 +117,13 @@ export class MeshView {
   setAppearance(appearance: Appearance | null): void {
     this.surface.setAppearance(appearance);
     this.paint();
+  }
+
+  /** How far along the axis of the view the mesh is at a pixel; null if it is not there. */
+  private distanceAt(at: Pixel): number | null {
+    const depth = this.surface.depthAt(at);
+    const { near, far } = this.camera;
+    return depth === null ? null : (near * far) / (far - depth * (far - near));
   }
 
   /** The chart at a pixel; null if there is none. */

@@ -1,16 +1,30 @@
-import { type PerspectiveCamera, Spherical, Vector3 } from 'three';
+import { MOUSE, type PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Direction } from '../drawing/front';
 import type { FirstView } from '../model/drawing';
 import { fitInView } from './fit-in-view';
+import { type Pixel, pixelOn } from './sight';
 
 /** Fraction of the view's width or height that a fitted mesh fills. */
 const FILLED = 0.88;
 /** Radians per key press, and zoom factor. */
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
-/** Seen from above, y is still slightly up. */
+/** Seen from above or below, y is still slightly up. */
 const ABOVE = 1e-3;
+/** The sides that digits look from. With Ctrl, it is the opposite side. */
+const SIDES: Record<string, Direction> = { 1: [0, 0, 1], 3: [1, 0, 0], 7: [0, 1, ABOVE] };
+/** Degrees. In the narrow field of view, what is far away is as large as what is near. */
+export const FIELD_OF_VIEW = 32;
+const NARROW = 0.5;
+/** How near and far the eye gets to what it looks at, in the wide field of view. */
+const NEAREST = 1e-3;
+const FARTHEST = 30;
+/** What is nearer to the eye than this share of the distance that it looks at is not drawn. */
+const CLIPPED = 0.01;
+/** How far in front of and behind the middle of the unit sphere, which holds the mesh, things are drawn: marks lie in front of it by a share of that. */
+const IN_FRONT = 40;
+const BEHIND = 1.1;
 
 /** A view of points (xyz each); `direction`: from them to the eye. */
 interface Look {
@@ -36,12 +50,17 @@ export class Orbit {
     canvas: HTMLCanvasElement,
     reducedMotion: boolean,
     private readonly moved: () => void,
+    /** How far away from the eye, along its axis, the mesh is at a pixel; null: it is not there. */
+    private readonly depthAt: (at: Pixel) => number | null,
   ) {
+    // Before the controls zoom.
+    canvas.addEventListener('wheel', (event) => this.aimAt(pixelOn(canvas, event)));
     this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.mouseButtons.MIDDLE = MOUSE.ROTATE;
+    this.controls.zoomToCursor = true;
     this.controls.enableDamping = !reducedMotion;
     this.controls.dampingFactor = 0.12;
-    this.controls.minDistance = 0.4;
-    this.controls.maxDistance = 30;
+    this.widen(FIELD_OF_VIEW);
     this.onTurn(moved);
     this.controls.addEventListener('start', () => {
       this.isFitted = false;
@@ -67,7 +86,7 @@ export class Orbit {
   /** Looks from the opposite side. */
   turnRound(): void {
     const [x, y, z] = this.direction;
-    this.lookFrom([-x, y, -z]);
+    this.lookFrom([-x, y, -z], false);
   }
 
   /** From the mesh to the eye. */
@@ -90,9 +109,43 @@ export class Orbit {
   /** Called before each picture: continues a motion, and asks for the next picture while it lasts. */
   advance(): void {
     this.controls.update();
+    this.clip();
   }
 
-  private lookFrom(direction: Direction): void {
+  /** Draws all of the mesh, and keeps what is small apart however near the eye comes to it. */
+  private clip(): void {
+    const { camera } = this;
+    const eye = camera.position.length();
+    const clipped = CLIPPED * Math.min(1, this.controls.getDistance());
+    camera.near = Math.max(eye - IN_FRONT, clipped);
+    camera.far = eye + BEHIND;
+    camera.updateProjectionMatrix();
+  }
+
+  /** Zooming approaches what is under the pointer, and never passes it. */
+  private aimAt(at: Pixel): void {
+    const depth = this.depthAt(at);
+    if (depth === null) return;
+    const { position } = this.camera;
+    const { target } = this.controls;
+    target.sub(position).setLength(depth).add(position);
+  }
+
+  /** Changes the field of view; what is looked at keeps its size. */
+  private widen(degrees: number): void {
+    const { camera, controls } = this;
+    const nearer = slope(camera.fov) / slope(degrees);
+    camera.fov = degrees;
+    camera.position.sub(controls.target).multiplyScalar(nearer).add(controls.target);
+    const scale = slope(FIELD_OF_VIEW) / slope(degrees);
+    controls.minDistance = NEAREST * scale;
+    controls.maxDistance = FARTHEST * scale;
+    controls.update();
+  }
+
+  private lookFrom([x, y, z]: Direction, isOpposite: boolean): void {
+    // From below as from above, x points to the right.
+    const direction: Direction = isOpposite ? [-x, -y, y ? z : -z] : [x, y, z];
     this.fit({ points: this.first.hull, direction });
   }
 
@@ -105,7 +158,7 @@ export class Orbit {
   private look({ points, direction }: Look): void {
     this.stopDamping();
     const front = new Vector3(...direction);
-    const up = Math.tan((this.camera.fov * Math.PI) / 360) * FILLED;
+    const up = slope(this.camera.fov) * FILLED;
     const { target, distance } = fitInView(points, front, up * this.camera.aspect, up);
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(front, distance);
@@ -133,15 +186,26 @@ export class Orbit {
       '-': () => this.turn(0, 0, ZOOM),
       Home: () => this.reset(),
       '0': () => this.reset(),
-      '1': () => this.lookFrom([0, 0, 1]),
-      '3': () => this.lookFrom([1, 0, 0]),
-      '7': () => this.lookFrom([0, 1, ABOVE]),
+      '5': () => this.toggleWide(),
       '9': () => this.turnRound(),
     };
-    const action = actions[event.key];
-    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    // Without Num Lock, digits of the number pad have other names.
+    const isPad = event.location === KeyboardEvent.DOM_KEY_LOCATION_NUMPAD;
+    const digit = event.code.slice(-1);
+    const key = isPad && (digit in SIDES || digit in actions) ? digit : event.key;
+    const side = SIDES[key];
+    const isCtrl = event.ctrlKey || event.metaKey;
+    const action = side ? () => this.lookFrom(side, isCtrl) : !isCtrl && actions[key];
+    if (!action || event.altKey || (isCtrl && event.shiftKey)) return;
     event.preventDefault();
     action();
+  }
+
+  private toggleWide(): void {
+    this.widen(this.camera.fov === NARROW ? FIELD_OF_VIEW : NARROW);
+    // A mesh that is fitted is fitted as it looks now.
+    if (this.isFitted) this.fit(this.from);
+    this.moved();
   }
 
   private turn(theta: number, phi: number, zoom: number): void {
@@ -157,3 +221,6 @@ export class Orbit {
     this.moved();
   }
 }
+
+/** Half the height that a field of view shows at distance 1. */
+const slope = (degrees: number) => Math.tan((degrees * Math.PI) / 360);

@@ -34,6 +34,12 @@ export class Stage {
     if (!context) throw new NoWebGl('This browser has no WebGL 2.');
     this.renderer = new WebGLRenderer({ canvas, context });
     canvas.addEventListener('webglcontextrestored', () => this.invalidate());
+    canvas.addEventListener('mousedown', (event) => {
+      if (event.button !== 1) return;
+      // The browser would scroll the page.
+      event.preventDefault();
+      canvas.focus();
+    });
   }
 
   /**

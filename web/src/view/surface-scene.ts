@@ -166,6 +166,11 @@ export class SurfaceScene {
     return this.picker.chartAt(at, this.triangles.object, this.options.camera, this.stage);
   }
 
+  /** How far between the near and the far plane the surface is at a pixel; null if it is not there. */
+  depthAt(at: Pixel): number | null {
+    return this.picker.depthAt(at, this.triangles.object, this.options.camera, this.stage);
+  }
+
   invalidate(): void {
     this.stage.invalidate();
   }

@@ -6,6 +6,7 @@ import { type Palette, readPalette } from '../colors/palette';
 import type { VertexBounds } from '../mesh/vertex-bounds';
 import type { Appearance } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
+import { faultyFaces } from '../model/faulty-faces';
 import { foundChart } from '../model/found-chart';
 import type { Measure } from '../model/measures';
 import type { Flattened, Outcome, Packed, Source, Unwrapped } from '../model/model';
@@ -328,8 +329,8 @@ function markedIn(outcome: Outcome): Marked | null {
 }
 
 /** Packed islands lie on each other, and are mirrored, as before. */
-const markedInFile = ({ settings, result: { report } }: Packed): Marked | null =>
-  settings.keepPlaces ? { ...NOTHING_MARKED, faults: report.faces } : null;
+const markedInFile = (packed: Packed): Marked | null =>
+  packed.settings.keepPlaces ? { ...NOTHING_MARKED, faults: faultyFaces(packed) } : null;
 
 /** What is marked in an atlas; nothing if it is valid. */
 function markedInAtlas({ result: { report } }: Unwrapped): Marked | null {

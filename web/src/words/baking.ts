@@ -29,5 +29,5 @@ export const BAKING = {
   done: 'Textures follow the new UVs',
   /** A sentence of abflat. */
   note: (text: string) => ended(sentence(text)),
-  stacked: 'Charts that share texels show one texture.',
+  stacked: 'Islands that share texels show one texture.',
 };

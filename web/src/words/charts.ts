@@ -4,7 +4,7 @@ import { count, counted, listed, measure } from './format';
 
 /** The columns of the charts' table. */
 export const CHART_COLUMNS = {
-  chart: { name: 'Chart', title: 'Sort by number. Charts of the same colour never touch' },
+  chart: { name: 'Island', title: 'Sort by number. Islands of the same colour never touch' },
   faces: { name: 'Faces', title: 'Number of triangles' },
   area: { name: 'Area', title: "Share of the surface's area" },
   stretch: { name: 'Stretch', title: 'Mean symmetric Dirichlet energy / 4: 1 keeps all lengths' },
@@ -14,14 +14,14 @@ export const CHART_COLUMNS = {
 
 /** The table of charts, and what is said above it. */
 export const CHART_LIST = {
-  caption: 'Charts',
-  more: (n: number) => `${counted(n, 'more chart')}: sort by another column to see others.`,
-  show: (chart: number) => `Show chart ${chart}`,
+  caption: 'Islands',
+  more: (n: number) => `${counted(n, 'more island')}: sort by another column to see others.`,
+  show: (chart: number) => `Show island ${chart}`,
   stacked: (others: number[]) =>
-    `Stacked with ${others.length > 1 ? 'charts' : 'chart'} ${listed(others.map(count))}`,
+    `Stacked with ${others.length > 1 ? 'islands' : 'island'} ${listed(others.map(count))}`,
   summary: (charts: number, largest: number, cutEdges: number, stretchRatio: number) => {
     const which = charts > 1 ? ', the largest' : '';
-    const sizes = `${counted(charts, 'chart')}${which} of ${counted(largest, 'triangle')}`;
+    const sizes = `${counted(charts, 'island')}${which} of ${counted(largest, 'triangle')}`;
     const cuts = cutEdges > 0 ? `cut along ${counted(cutEdges, 'edge')}` : 'nothing was cut';
     return `${sizes}; ${cuts}; average stretch ratio ${measure(stretchRatio)}`;
   },
@@ -31,16 +31,16 @@ export const CHART_LIST = {
 
 export const LOCKS = {
   column: 'Locked',
-  lock: (chart: number) => `Lock chart ${chart}`,
-  about: 'Locked: the chart keeps its shape and position, whatever else changes',
-  locked: (chart: number) => `Locked chart ${chart}`,
-  unlocked: (chart: number) => `Unlocked chart ${chart}`,
+  lock: (chart: number) => `Lock island ${chart}`,
+  about: 'Locked: the island keeps its shape and position, whatever else changes',
+  locked: (chart: number) => `Locked island ${chart}`,
+  unlocked: (chart: number) => `Unlocked island ${chart}`,
   keptUvs: 'Kept UVs stay in place; switch Keep UVs off to move them',
   summary: (locked: number, keptUvs: number) => {
     const texts = [
-      ...(locked > 0 ? [`${counted(locked, 'chart')} locked`] : []),
-      ...(keptUvs > 0 ? [`${counted(keptUvs, 'chart keeps its', 'charts keep their')} UVs`] : []),
+      ...(locked > 0 ? [`${counted(locked, 'island')} locked`] : []),
+      ...(keptUvs > 0 ? [`${counted(keptUvs, 'island keeps its', 'islands keep their')} UVs`] : []),
     ];
-    return texts.length > 0 ? texts.join(', ') : 'Locked charts stay in place';
+    return texts.length > 0 ? texts.join(', ') : 'Locked islands stay in place';
   },
 };

@@ -2,12 +2,6 @@
 
 import { type Bound, bound, count, counted } from './format';
 
-export const MODE_HINTS = {
-  flatten: 'one chart',
-  unwrap: 'charts in one texture',
-  pack: 'as they are, or repacked',
-};
-
 /** What a mesh lacks that cannot be flattened, by abflat's status. */
 export const DISK_NEEDS = {
   DegenerateFace: 'Needs a mesh without degenerate faces',
@@ -20,6 +14,7 @@ export const DISK_NEEDS = {
 };
 
 export const NO_DISK = {
+  not: 'Lay out the mesh in one piece',
   /** `reason` is a sentence. */
   flatten: (reason: string, need = 'Needs a mesh that is a disk') => `${need}. ${reason}`,
 };
@@ -34,7 +29,7 @@ export const OPTION_LABELS = {
   rotate: 'Rotation',
   rectify: 'Rectify',
   packingCuts: 'Cut to pack tighter',
-  stack: 'Stack equal charts',
+  stack: 'Stack equal islands',
   straightSeams: 'Straight seams',
   udim: 'UDIM tiles',
 };
@@ -56,7 +51,7 @@ export const STRETCH_LIMIT = {
   fewer: 'fewer seams',
   lengths: (percent: number) => `lengths off by up to ${percent}\u202f%`,
   notEnforced: 'not enforced',
-  about: 'Limit for the average stretch of each chart. A lower limit adds seams and charts',
+  about: 'Limit for the average stretch of each island. A lower limit adds seams and islands',
   aboutNotEnforced:
     'Auto is off, so nothing is cut to meet this limit. Press Auto, or Cut further next to the result',
   readOut: (limit: number, hint: string) => `${limit}: ${hint}`,

@@ -22,9 +22,12 @@ export function listed(names: string[]): string {
   return all.length < 2 ? all.join('') : `${all.slice(0, -1).join(', ')} and ${all.at(-1)}`;
 }
 
-/** abflat says texcoords where the page says UVs. */
+/** abflat says texcoords and charts where the page says UVs and islands. */
 export function inPageWords(message: string): string {
-  return message.replace(/\btexcoords\b(?!\.\w)/g, 'UVs').replace(/\btexcoord\b(?!\.\w)/g, 'UV');
+  return message
+    .replace(/\btexcoord(s?)\b(?!\.\w)/g, 'UV$1')
+    .replace(/(?<![-\w./\\])a chart\b(?!-|\.\w)/g, 'an island')
+    .replace(/(?<![-\w./\\])chart(s?)\b(?!-|\.\w)/g, 'island$1');
 }
 
 /** What is said of clicks and keys, for fingers: a second one cancels a stroke. */
@@ -40,9 +43,6 @@ export function sentence(text: string): string {
   const words = inPageWords(text);
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
-
-/** To go on with within a sentence. */
-export const continued = (text: string) => text.charAt(0).toLowerCase() + text.slice(1);
 
 /** With a full stop, unless it ends like a sentence. */
 export function ended(text: string): string {

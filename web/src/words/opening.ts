@@ -20,6 +20,18 @@ export const CHOSEN_FILES = {
   unreadable: 'The file was moved or deleted, so it cannot be read. Open it again.',
 };
 
+/** Why an archive cannot be opened. */
+export const ZIP = {
+  encrypted: (name: string) => `${name} has a password. Unpack it and open the files in it.`,
+  empty: (name: string) => `${name} contains no files. Zip a mesh with the files it needs.`,
+  tooLarge: (name: string) =>
+    `${name} unpacks to more than 1 GB. Unpack it and open the mesh and the files it needs.`,
+  tooMany: (name: string, most: number) =>
+    `${name} contains more than ${most} files. Unpack it and open the mesh and the files it needs.`,
+  unreadable: (name: string) =>
+    `${name} cannot be read as a ZIP file. Unpack it with another program and open the files in it.`,
+};
+
 /** Why a mesh cannot be read. */
 export const READING = {
   noMesh: 'Open a mesh first.',
@@ -44,6 +56,8 @@ export const GATHERING = {
   notOpened: (name: string) => `${name} was not opened`,
   cancelled: 'Cancelled',
 };
+
+export const UNPACKING = (name: string) => `Unpacking ${name}`;
 
 export const JOINING = {
   meshes: (n: number) => counted(n, 'mesh', 'meshes'),

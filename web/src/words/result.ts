@@ -15,7 +15,7 @@ export const BADGES = {
 export const VERDICT = {
   noCrossings: 'No flipped triangles, no crossings',
   noOverlaps: 'No flipped triangles, no overlaps',
-  stacked: (charts: number) => `${counted(charts, 'chart')} stacked, no other overlaps`,
+  stacked: (charts: number) => `${counted(charts, 'island')} stacked, no other overlaps`,
   uneven: (least: number, most: number) =>
     `Texel density ${measure(least)} to ${measure(most)}: repack to even out`,
   unevenBesideKept: (least: number, most: number) =>
@@ -24,17 +24,17 @@ export const VERDICT = {
     `Lengths change by ${count(100 * share)}\u202f% on average: seams would help`,
   stretched: (most: string, limit: number, charts: number, all: number) => {
     const upTo = charts > 1 ? 'up to ' : '';
-    const where = all > 1 ? ` in ${count(charts)} of ${count(all)} charts` : '';
+    const where = all > 1 ? ` in ${count(charts)} of ${count(all)} islands` : '';
     return `Stretch ${upTo}${most}${where}; limit ${limit}`;
   },
   outside: (charts: number) =>
-    `${counted(charts, 'chart')} outside ${charts === 1 ? 'its tile' : 'their tiles'}`,
-  overlapping: (charts: number) => counted(charts, 'chart overlaps another', 'charts overlap'),
+    `${counted(charts, 'island')} outside ${charts === 1 ? 'its tile' : 'their tiles'}`,
+  overlapping: (charts: number) => counted(charts, 'island overlaps another', 'islands overlap'),
   /** `problem` is that of the first. */
   defects: (charts: number, problem: string) =>
     charts === 1
-      ? `1 chart is not valid: ${problem}`
-      : `${count(charts)} charts are not valid. In the first, ${problem}`,
+      ? `1 island is not valid: ${problem}`
+      : `${count(charts)} islands are not valid. In the first, ${problem}`,
 };
 
 /** The UVs of a file. */
@@ -63,6 +63,7 @@ export const UV_FAULTS = {
   overlapping: (n: number) => counted(n, 'face overlaps', 'faces overlap'),
   outside: (n: number) => `${counted(n, 'face')} outside the square`,
   empty: (n: number) => `${counted(n, 'face')} without area`,
+  stacked: (n: number) => `${counted(n, 'face')} stacked`,
   flipped: (n: number) => `${counted(n, 'face')} flipped`,
 };
 
@@ -73,14 +74,14 @@ export const DEFECTS = { both: (one: string, other: string) => `${one}, and ${ot
 export const REMEDIES = {
   cut: {
     label: 'Cut further',
-    title: 'Keep these seams and add automatic ones until every chart is within the limit',
+    title: 'Keep these seams and add automatic ones until every island is within the limit',
   },
   pack: {
     label: 'Repack',
-    title: 'Pack the same charts again, all at the same texel density',
+    title: 'Pack the same islands again, all at the same texel density',
   },
   islands: { label: 'Repack', title: 'Pack the UV islands again; they keep their shapes' },
-  unwrap: { label: 'Unwrap', title: 'Cut the mesh into charts that stretch less' },
+  unwrap: { label: 'Unwrap', title: 'Cut the mesh into islands that stretch less' },
 };
 
 /** The numbers of a layout in one piece. */
@@ -108,7 +109,7 @@ export const DISK_METRICS = {
 
 /** The numbers of an atlas. */
 export const ATLAS_METRICS = {
-  charts: { label: 'Charts', title: 'Charts in the atlas; red if one is not valid' },
+  charts: { label: 'Islands', title: 'Islands in the atlas; red if one is not valid' },
   seamLength: {
     label: 'Seam length',
     title:
@@ -117,18 +118,18 @@ export const ATLAS_METRICS = {
   stretch: {
     label: 'Stretch',
     title:
-      'Symmetric Dirichlet energy / 4, mean over the surface, each chart at its own scale; 1 keeps all lengths. The stretch ratio in Details ignores changes of size; there, 1 keeps all angles',
+      'Symmetric Dirichlet energy / 4, mean over the surface, each island at its own scale; 1 keeps all lengths. The stretch ratio in Details ignores changes of size; there, 1 keeps all angles',
   },
   angle: {
     label: 'Angular distortion',
     title: 'Mean over the surface of ((x - α)/α)², x in the layout, α in 3D',
   },
   utilization: {
-    label: 'Utilisation',
-    title: 'Share of the square, or of all tiles, that the charts cover',
+    label: 'Space used',
+    title: 'Share of the square, or of all tiles, that the islands cover',
   },
   texelDensity: {
-    label: 'Texel density',
+    label: 'Texels per unit',
     title: 'Texels per mesh unit at this resolution, on average over the surface',
   },
 };
@@ -140,11 +141,19 @@ export const ISLAND_METRICS = {
     title: 'Sets of faces joined where they have an edge, with the same UVs on both sides',
   },
   overlapping: { label: 'Overlapping', title: 'Faces that overlap another one, or themselves' },
-  outside: { label: 'Outside', title: 'Faces that are not within one tile' },
+  outside: {
+    label: 'Outside',
+    title:
+      'Faces that are not within the square or, where all islands lie in UDIM tiles, within one of them',
+  },
+  stacked: {
+    label: 'Stacked',
+    title: 'Faces of islands that lie on each other with the same outline',
+  },
   flipped: { label: 'Flipped', title: 'Faces that run clockwise, be it with their whole island' },
   empty: { label: 'Empty', title: 'Faces without area in UV' },
   utilization: {
-    label: 'Utilisation',
+    label: 'Space used',
     title: 'Share of the square, or of all tiles around the layout, that the islands cover',
   },
 };
@@ -166,8 +175,8 @@ export const METRICS = {
 
 /** The notes on an atlas; `places` name faces or edges. */
 export const ATLAS_NOTES = {
-  problem: (face: number, problem: string) => `chart containing face ${face}: ${problem}`,
-  moreProblems: (n: number) => `${counted(n, 'more chart is', 'more charts are')} not valid`,
+  problem: (face: number, problem: string) => `island containing face ${face}: ${problem}`,
+  moreProblems: (n: number) => `${counted(n, 'more island is', 'more islands are')} not valid`,
   merged: (n: number) =>
     `${counted(n, 'duplicate vertex was', 'duplicate vertices were')} treated as one`,
   collapsed: (n: number, places: string) =>
@@ -175,7 +184,7 @@ export const ATLAS_NOTES = {
   split: (n: number, places: string) =>
     `${counted(n, 'face touches itself', 'faces touch themselves')}: ${places}`,
   duplicates: (n: number, places: string) =>
-    `${counted(n, 'duplicate face has its own chart', 'duplicate faces have their own charts')}: ${places}`,
+    `${counted(n, 'duplicate face has its own island', 'duplicate faces have their own islands')}: ${places}`,
   nonManifold: (n: number, places: string) =>
     `${counted(n, 'edge has', 'edges have')} more than two faces and ${n === 1 ? 'became a seam' : 'became seams'}: ${places}`,
   conflicts: (n: number, places: string) =>
@@ -193,7 +202,7 @@ export const ATLAS_NOTES = {
       'hole was treated as filled and needs no seam',
       'holes were treated as filled and need no seams',
     ),
-  fallback: (charts: number, text: string) => `${counted(charts, 'chart')}: ${text}`,
+  fallback: (charts: number, text: string) => `${counted(charts, 'island')}: ${text}`,
 };
 
 /** The notes on a layout in one piece. */

@@ -37,7 +37,7 @@ export const STAGES = {
   solve: 'Solving',
   layout: 'Laying out',
   refine: 'Refining',
-  pack: 'Packing charts',
+  pack: 'Packing islands',
   check: 'Checking',
   write: 'Writing',
 };
@@ -45,27 +45,27 @@ export const STAGES = {
 export const SOLVER_PROGRESS = {
   atStep: (stage: string, step: number, residual: number) =>
     `${stage}, step ${step}, residual ${residual.toExponential(0)}`,
+  left: (doing: string, seconds: number) =>
+    `${doing}, about ${seconds < 90 ? `${seconds}\u202fs` : `${Math.round(seconds / 60)}\u202fmin`} left`,
 };
 
 /** What happens to a mesh, and how that ends. */
 export const RUN = {
   reading: (title: string) => `Reading ${title}`,
   layingOut: (doing: string, settings: string) => `${doing} with ${settings}`,
-  /** `found`: what there is to say of them. */
-  uvsOfFile: (time: string, found: string) => `UVs of the file checked in ${time}: ${found}`,
   checked: (change: string, time: string) => `${change}, checked in ${time}`,
   laidOut: (done: string, time: string) => `${done} in ${time}`,
   but: (badge: string) => `, ${badge.toLowerCase()}`,
   ownBounds: (bounds: number) => `; ${counted(bounds, 'own bound')}`,
   repacked: '; repacked, because there was too little room',
-  unstacked: (charts: number) => `; ${counted(charts, 'chart')} no longer stacked`,
+  unstacked: (charts: number) => `; ${counted(charts, 'island')} no longer stacked`,
   kept: 'kept',
   locked: 'locked',
   keptAsInFile: 'as in the file',
   keptAndFixed: (kept: number, fixed: number, fixedAs: string) =>
     `; ${count(kept)} kept, ${count(fixed)} ${fixedAs}`,
   someCharts: (some: number, charts: number, what: string) =>
-    `; ${count(some)} of ${counted(charts, 'chart')} ${what}`,
+    `; ${count(some)} of ${counted(charts, 'island')} ${what}`,
   shownAgain: (title: string) => `${title} is as you left it`,
   asLeft: 'This layout is as you left it',
   cancelled: 'Cancelled',
@@ -88,7 +88,7 @@ export const NO_ROOM = {
     most: number,
     enough: number | undefined,
   ) => {
-    const what = isOne ? 'one chart does not fit a tile' : 'the charts do not fit one tile';
+    const what = isOne ? 'one island does not fit a tile' : 'the islands do not fit one tile';
     const ways = [
       `Set Texel density, under More, to auto or to at most ${most}`,
       ...(enough ? [`choose a resolution of ${count(enough)}\u202fpx`] : []),

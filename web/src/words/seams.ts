@@ -21,7 +21,7 @@ export const SEAMS = {
   toJoin: 'Click a seam to join its sides',
   toPaint: 'Drag over the mesh to paint a seam',
   toErase: 'Drag over seams to erase them',
-  toSelect: 'Click a chart to select it',
+  toSelect: 'Click an island to select it',
   startHere: (vertex: number) => `Vertex ${vertex}: start a cut`,
   paintHere: (vertex: number) => `Vertex ${vertex}: drag to paint a seam, or click to start a cut`,
   orCutLoop: (start: string, edges: number) => `${start}. Double-click: cut ${loopOf(edges)}`,
@@ -32,7 +32,7 @@ export const SEAMS = {
   toEndCutByTouch: (from: number) => `From vertex ${from}: tap the end of the cut, or Cancel cut`,
   joinHere: (edges: number) => `Seam of ${counted(edges, 'edge')}: join`,
   neededHere: (edges: number) =>
-    `Seam of ${counted(edges, 'edge')}: needed to keep its chart a disk`,
+    `Seam of ${counted(edges, 'edge')}: needed to keep its island a disk`,
   started: (vertex: number) => `Cut started at vertex ${vertex}`,
   notConnected: (from: number, to: number) => `No edges connect vertex ${from} to vertex ${to}`,
   cut: (edges: number) => `Cut ${counted(edges, 'edge')}`,
@@ -40,7 +40,7 @@ export const SEAMS = {
   alreadyCut: 'Already cut',
   cancelled: 'Cut cancelled',
   joined: (edges: number) => `Joined ${counted(edges, 'edge')}`,
-  needed: 'This seam is needed to keep its chart a disk',
+  needed: 'This seam is needed to keep its island a disk',
   painting: (edges: number) => `Painting ${counted(edges, 'edge')} as seam, Esc cancels`,
   painted: (edges: number) => `Painted ${counted(edges, 'edge')} as seam`,
   /** Along boundaries and seams only. */

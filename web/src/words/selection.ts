@@ -5,21 +5,21 @@ import { count, counted, measure } from './format';
 
 /** Charts that are selected or hidden. */
 export const SELECTION = {
-  hidden: (charts: number) => `${counted(charts, 'chart')} hidden`,
+  hidden: (charts: number) => `${counted(charts, 'island')} hidden`,
   one: (chart: number, triangles: number, stretch: number) =>
-    `Chart ${count(chart)}: ${counted(triangles, 'triangle')}, stretch ${measure(stretch)}`,
+    `Island ${count(chart)}: ${counted(triangles, 'triangle')}, stretch ${measure(stretch)}`,
   several: (charts: number, triangles: number, share: number) => {
     const percent = `${(100 * share).toFixed(0)}\u202f%`;
-    return `${counted(charts, 'chart')}: ${counted(triangles, 'triangle')}, ${percent} of the surface`;
+    return `${counted(charts, 'island')}: ${counted(triangles, 'triangle')}, ${percent} of the surface`;
   },
-  none: 'Select a chart first',
-  locked: 'Locked charts stay. Unlock them to move them',
+  none: 'Select an island first',
+  locked: 'Locked islands stay. Unlock them to move them',
   keptUvs: LOCKS.keptUvs,
   density: 'Density',
   mixedDensity: 'mixed',
-  densityOfOne: (chart: number, density: number) => `Density of chart ${chart}: ${density}`,
+  densityOfOne: (chart: number, density: number) => `Density of island ${chart}: ${density}`,
   densityOfSeveral: (charts: number, density: number) =>
-    `Density of ${counted(charts, 'chart')}: ${density}`,
+    `Density of ${counted(charts, 'island')}: ${density}`,
 };
 
 /** What was done to charts, by the names of the menu's entries. */
@@ -36,19 +36,19 @@ export const ARRANGED = {
 
 /** Charts that are put on each other. */
 export const STACKING = {
-  noneFits: 'Nothing was stacked: no two of these charts have the same shape',
+  noneFits: 'Nothing was stacked: no two of these islands have the same shape',
   done: (stacked: number, all: number) => {
     const other = all - stacked;
     const but =
       other > 0 ? `; ${other} ${other === 1 ? 'has another shape' : 'have other shapes'}` : '';
-    return `Stacked ${counted(stacked, 'chart')}${but}`;
+    return `Stacked ${counted(stacked, 'island')}${but}`;
   },
 };
 
 /** Charts that are moved. Numbers come as text. */
 export const MOVING = {
-  doneToOne: (done: string, chart: number) => `${done} chart ${chart}`,
-  doneToSeveral: (done: string, charts: number) => `${done} ${counted(charts, 'chart')}`,
+  doneToOne: (done: string, chart: number) => `${done} island ${chart}`,
+  doneToSeveral: (done: string, charts: number) => `${done} ${counted(charts, 'island')}`,
   /** What is typed, as long as it is no number. */
   typed: (typed: string) => ` ${typed}…`,
   turn: (degrees: string) => `Rotate ${degrees}°`,
@@ -56,7 +56,7 @@ export const MOVING = {
   along: (axis: string, distance: string) => `${axis} ${distance}`,
   /** `shift` is listed by axis. */
   move: (shift: string, texels: string) => `Move ${shift} (${texels} texels)`,
-  failed: (message: string) => `The charts were not moved: ${message}`,
+  failed: (message: string) => `The islands were not moved: ${message}`,
   nothingMoved: 'Nothing was moved',
 };
 
@@ -65,13 +65,13 @@ export const PINS = {
   invitation: 'Click a vertex to pin it',
   some: (pins: number) =>
     pins === 1
-      ? '1 pin. Drag it to move its chart, click it to remove it'
-      : `${counted(pins, 'pin')}. Drag one to bend its chart, click it to remove it`,
-  pinned: (chart: number) => `Pinned a vertex of chart ${chart}`,
-  removed: (chart: number) => `Removed a pin of chart ${chart}`,
+      ? '1 pin. Drag it to move its island, click it to remove it'
+      : `${counted(pins, 'pin')}. Drag one to bend its island, click it to remove it`,
+  pinned: (chart: number) => `Pinned a vertex of island ${chart}`,
+  removed: (chart: number) => `Removed a pin of island ${chart}`,
   removedAll: (pins: number) => `Removed ${counted(pins, 'pin')}`,
-  moved: (chart: number) => `Moved a pin of chart ${chart}`,
+  moved: (chart: number) => `Moved a pin of island ${chart}`,
   notMoved: (message: string) => `The pin was not moved: ${message}`,
-  locked: 'This chart is locked. Unlock it to drag its pins',
+  locked: 'This island is locked. Unlock it to drag its pins',
   keptUvs: LOCKS.keptUvs,
 };

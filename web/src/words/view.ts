@@ -42,13 +42,13 @@ export const HEAT_LEGEND = {
   percent: (value: string) => `${value}\u202f%`,
   underPercent: (value: string) => `under ${value}\u202f%`,
   ofSurface: (range: string, share: string) => `${range}: ${share} of the surface`,
-  selectBar: 'A bar highlights its faces',
+  selectBar: 'Click a bar to highlight its faces',
   worst: 'The worst 1\u202f% of the surface',
 };
 
 /** Meanings of marks. */
 export const MARKS = {
-  invalidCharts: (n: number) => counted(n, 'chart is not valid', 'charts are not valid'),
+  invalidCharts: (n: number) => counted(n, 'island is not valid', 'islands are not valid'),
   tightened: (n: number) => counted(n, 'tightened vertex', 'tightened vertices'),
   crossings: (n: number) => counted(n, 'crossing'),
   resisting: (n: number) => `${counted(n, 'edge')} cannot be made Delaunay`,
@@ -63,7 +63,7 @@ export const SHOWN = {
   polygons: (faces: number, triangles: number) =>
     `${counted(faces, 'polygon')}, ${counted(triangles, 'triangle')}`,
   charts: (charts: number, tiles: number) =>
-    counted(charts, 'chart') + (tiles > 1 ? `, ${counted(tiles, 'tile')}` : ''),
+    counted(charts, 'island') + (tiles > 1 ? `, ${counted(tiles, 'tile')}` : ''),
   /** What charts look like. */
   shapes: {
     rectangle: (charts: number) => counted(charts, 'rectangle'),

@@ -2,6 +2,7 @@
 
 export { chartMesh } from '../arrange/chart-mesh';
 export { atDensity, evened, keptDensities } from '../arrange/density';
+export { fileStacks } from '../arrange/file-stacks';
 export { movedUv } from '../arrange/move-charts';
 export { sameShapes } from '../arrange/same-shape';
 export { stacked } from '../arrange/stack';

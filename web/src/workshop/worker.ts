@@ -45,6 +45,7 @@ const appearanceFile = startOnce(() => loadInWorker(import('../files/appearance'
 const arranging = startOnce(() => loadInWorker(import('./arranging')));
 const baking = startOnce(() => loadInWorker(import('./baking')));
 const writing = startOnce(() => loadInWorker(import('./writing')));
+const zip = startOnce(() => loadInWorker(import('../files/zip')));
 const surfaces = startOnce(() => loadInWorker(import('../surface/make-surface')));
 
 const LATER = [gltfFile, newGlbFile, appearanceFile, arranging, writing, surfaces, objParts];
@@ -94,6 +95,9 @@ const tasks = {
     handedOver((await arranging()).connectedParts(mesh)),
 
   stacks: async (arrays: ChartArrays): Promise<Stacks> => (await arranging()).stacksOf(arrays),
+
+  fileStacks: async (arrays: ChartArrays, faults: Uint8Array, faces?: Uint32Array) =>
+    handedOver((await arranging()).fileStacks(arrays, faults, faces)),
 
   apart: async (arrays: ChartArrays, stacks: Stack[], rows: number) =>
     (await arranging()).apart(arrays, stacks, rows),
@@ -201,6 +205,8 @@ const tasks = {
     const { joinedObj } = await writing();
     return new Blob(joinedObj(meshes), { type: exportedFile('obj').type });
   },
+
+  unzipped: async (archive: File): Promise<File[]> => (await zip()).unzipped(archive),
 
   svg: async (drawing: AtlasDrawing, millimetres: number | 'auto'): Promise<Blob> => {
     const { atlasSvg } = await writing();

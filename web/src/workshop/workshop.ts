@@ -18,10 +18,11 @@ import type {
   LayoutArrays,
   Opened,
   Outcome,
+  Packed,
   Unwrapped,
 } from '../model/model';
 import { NO_PARTS } from '../model/named-parts';
-import type { Stack, Stacks } from '../model/stacks';
+import type { FileStacks, Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
 import { explained, inOwnWorker, type Running, startWorker } from './start-worker';
@@ -76,7 +77,9 @@ export class Workshop implements Helpers {
     const arrays = { uv, indices, vertexMap, positions };
     if (mode === 'pack') {
       const { islandOfTriangle: chartOfTriangle, faults, report } = result;
-      const marked = outcome.settings.keepPlaces ? { faults } : {};
+      const marked = outcome.settings.keepPlaces
+        ? { faults: outcome.fileStacks?.faults ?? faults }
+        : {};
       const { tiles, resolution, islands: chartCount } = report;
       const size = { tiles, resolution, chartCount, isOfFile: true };
       return this.atlas({ ...arrays, chartOfTriangle, ...marked }, size, mesh);
@@ -153,6 +156,14 @@ export class Workshop implements Helpers {
 
   stacks(atlas: ChartArrays): Promise<Stacks> {
     return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.stacks(own));
+  }
+
+  fileStacks({ result, mesh }: Packed): Promise<FileStacks> {
+    const { uv, indices, islandOfTriangle: chartOfTriangle, faults } = result;
+    return this.send(
+      [{ uv, indices, chartOfTriangle }, { faults }, { faces: mesh.faces }],
+      (tasks, own, { faults }, { faces }) => tasks.fileStacks(own, faults, faces),
+    );
   }
 
   apart(atlas: ChartArrays, stacks: Stack[], rows: number): Promise<Float64Array | null> {
@@ -258,6 +269,11 @@ export class Workshop implements Helpers {
   /** The mesh with vertices at the same point joined. */
   joined(mesh: ArrayMesh): Promise<ArrayMesh> {
     return this.send([mesh], (tasks, own) => tasks.joined(own));
+  }
+
+  /** The files in an archive. */
+  unzipped(archive: File): Promise<File[]> {
+    return this.send([], (tasks) => tasks.unzipped(archive));
   }
 
   /** The meshes as one OBJ. */
