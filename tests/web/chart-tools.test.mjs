@@ -74,7 +74,7 @@ test('boxes and lassos select the charts that they touch; keys, menus and Esc', 
 
   // From within a chart that is not selected, a drag pans, unless the next one is to draw.
   await page.keyboard.press('b');
-  assert.equal(await said(page), 'Drag a box around charts. Esc cancels');
+  assert.equal(await said(page), 'Drag a box around charts; Esc cancels');
   await page.keyboard.press('Escape');
   const face = middleOf(now.uv[innerFace(now, 0)]);
   const [u, v] = await pixelOf(page, face);
@@ -214,7 +214,7 @@ test('an edge is made level, and a part of an outline; locked charts stay', asyn
   const middle = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
   await page.keyboard.press('Alt+a');
   await page.keyboard.press('e');
-  assert.match(await said(page), /^Click an edge of a chart/);
+  assert.match(await said(page), /^Click an edge, or drag/);
   await page.mouse.move(...middle);
   assert.match(await page.getAttribute('.marked-lines path', 'd'), /^M[-\d.]+ [-\d.]+L/);
   await page.mouse.down();
@@ -385,6 +385,7 @@ test('a finger draws a box once it is announced', async (t) => {
   assert.ok(menu.y >= 0 && menu.y + menu.height <= viewport.height);
   assert.ok(menu.x >= 0 && menu.x + menu.width <= viewport.width, 'the menu is on the screen');
   await page.locator('#select-menu [data-value="box"]').tap();
+  assert.equal(await said(page), 'Drag a box around charts; a second finger cancels');
   let { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
   const client = await page.context().newCDPSession(page);
   const touch = (type, ...points) =>

@@ -66,6 +66,7 @@ export class AreaDrawing {
       // A second finger.
       if (this.press.isDrag || this.kind) event.stopImmediatePropagation();
       this.cancel();
+      if (this.kind) this.announce(null);
       return;
     }
     if (event.button !== 0) return;

@@ -3,6 +3,7 @@
 import '../css/chart-tools.css';
 import type { Motion } from '../arrange/motion';
 import { element } from '../base/dom';
+import { isTouch } from '../base/touch';
 import type { Unwrapped } from '../model/model';
 import type { SeamEditor } from '../seams/seam-editor';
 import { AreaDrawing, type AreaKind } from '../selection/area-drawing';
@@ -17,6 +18,7 @@ import { SelectMenu } from '../selection/select-menu';
 import type { Pixel } from '../view/sight';
 import type { Views } from '../view/views';
 import { CHOOSING, LEVELLING, RESHAPING } from '../words/choosing';
+import { inTouchWords } from '../words/format';
 import { SELECTION } from '../words/selection';
 import type { Arranged, Workshop } from '../workshop/workshop';
 import { LayoutJoin, type Outlines } from './layout-join';
@@ -64,7 +66,7 @@ export class ChartTools {
       outlines: () => this.outlines?.picker ?? null,
       isMeant: (chart) => this.isAlignable(chart),
       chosen: (chart, motion) => this.turn(chart, motion),
-      say: events.say,
+      say: (text) => events.say(inHandWords(text)),
     });
     if (events.seams) {
       new LayoutJoin(stage, views, events.seams, joined, {
@@ -83,7 +85,7 @@ export class ChartTools {
           area.map((at) => views.uvAt(at)),
           adds,
         ),
-      announced: (kind) => kind && events.say(CHOOSING.toDraw[kind]),
+      announced: (kind) => kind && events.say(inHandWords(CHOOSING.toDraw[kind])),
     });
     addToArrange([
       { ...LEVELLING.item, act: () => this.edges.turn(true) },
@@ -182,3 +184,5 @@ export class ChartTools {
 }
 
 const hasCtrl = ({ ctrlKey, metaKey }: MouseEvent | KeyboardEvent) => ctrlKey || metaKey;
+
+const inHandWords = (text: string) => (isTouch() ? inTouchWords(text) : text);

@@ -30,8 +30,8 @@ export const CHOOSING = {
   },
   aboutStretched: (limit: number) => `Select charts whose stretch is above ${limit}`,
   toDraw: {
-    box: 'Drag a box around charts. Esc cancels',
-    lasso: 'Draw around charts. Esc cancels',
+    box: 'Drag a box around charts; Esc cancels',
+    lasso: 'Draw around charts; Esc cancels',
   },
   selected: (charts: number) => `Selected ${counted(charts, 'chart')}`,
   noneInArea: 'No chart is there',
@@ -53,8 +53,7 @@ export const LEVELLING = {
     key: 'E',
     about: 'Rotate a chart so that an edge of its outline is level or upright',
   },
-  toChoose:
-    'Click an edge of a chart, or drag from one point of its outline to another. Esc cancels',
+  toChoose: 'Click an edge, or drag along an outline; Esc cancels',
   noEdge: 'There is no edge of a chart here',
   isLevel: 'This edge is level or upright already',
   cancelled: 'Nothing was aligned',
