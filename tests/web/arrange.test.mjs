@@ -96,7 +96,7 @@ test('G, R and S move, turn and scale by pointer, arrows and numbers; Escape put
   await page.mouse.move(x + 40, y, { steps: 3 });
   assert.match(await gesture(), /^Move u 0\.\d+, v 0 \(/);
   await press('Escape');
-  assert.match(await gesture(), /^Chart/, 'it is still selected');
+  assert.match(await gesture(), /^Island/, 'it is still selected');
   assert.deepEqual((await atlas(page)).uv, before.uv);
 
   await press('g', 'ArrowRight', 'Shift+ArrowUp', 'Enter');
@@ -114,7 +114,7 @@ test('G, R and S move, turn and scale by pointer, arrows and numbers; Escape put
   await placed(page);
   const along = shiftOf(nudged, await atlas(page), 0);
   assert.ok(along[0] === 0 && Math.abs(along[1] + 33 / side) < 2e-3, String(along));
-  assert.match(await gesture(), /^Chart/);
+  assert.match(await gesture(), /^Island/);
 
   await press('r', '9', '0');
   assert.equal(await gesture(), 'Rotate 90°');

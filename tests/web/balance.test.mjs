@@ -43,7 +43,7 @@ test('a disk is refined as the slider says, by keyboard, and its numbers tell wh
   assert.deepEqual(again, first);
 });
 
-test('charts are refined as well; each kind of layout has a balance of its own', async (t) => {
+test('islands are refined as well; each kind of layout has a balance of its own', async (t) => {
   const page = await openPage(t, { open: ['ball.obj', objText(sphere(6))] });
   const usual = await textOf(page, '#unwrap-balance-value');
   const before = await metrics(page);

@@ -55,7 +55,7 @@ async function assertEveryFormat(page, base, formats = Object.keys(READERS)) {
   }
 }
 
-test('any mesh is exported in any format, in charts or in one piece', async (t) => {
+test('any mesh is exported in any format, in islands or in one piece', async (t) => {
   const page = await openPage(t, { open: BALL });
   await assertEveryFormat(page, 'ball');
   await openSample(page, 'hemisphere');

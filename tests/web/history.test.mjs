@@ -187,7 +187,7 @@ test('undo during a run shows what was there before', async (t) => {
   assert.ok(await page.isDisabled('#undo'));
 });
 
-test('an edit of seams moves no chart that it leaves as it is', async (t) => {
+test('an edit of seams moves no island that it leaves as it is', async (t) => {
   const page = await openPage(t, { open: ['both.obj', BOTH] });
   await page.click('#details-toggle');
   const cornersOf = (text) => {

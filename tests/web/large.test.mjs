@@ -67,7 +67,7 @@ async function assertIdleThroughout(page, name, content) {
   await page.click('#details-toggle');
   await page.click('#tab-charts');
   await page.locator('.chart-name').first().click();
-  await assertIdle(mostRun, FACES, 'a chart looked at');
+  await assertIdle(mostRun, FACES, 'an island looked at');
 }
 
 /**

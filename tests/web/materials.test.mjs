@@ -136,7 +136,7 @@ test('the texture of a GLB is on the mesh and in its new place in the layout', a
   assertShares(await seen(page, LAYOUT), QUARTERS);
 });
 
-test('who prefers charts gets them for the next mesh, too', async (t) => {
+test('who prefers islands gets them for the next mesh, too', async (t) => {
   const bytes = await io.writeBinary(document(textured('four', fourColors())));
   const page = await openPage(t, { open: ['square.glb', bytes] });
   await withMaterials(page);

@@ -212,7 +212,7 @@ test('with Join or Alt a stroke erases edge by edge', async (t) => {
   assert.equal(await says(page), 'No seam under this stroke');
 });
 
-test('seams that charts need are not erased', async (t) => {
+test('seams that islands need are not erased', async (t) => {
   const page = await openPage(t, { ...SMALL, open: ['torus.obj', objText(torus(24, 12))] });
   await ready(page);
   await page.click('#seam-join');

@@ -62,7 +62,7 @@ async function isMeasured(page) {
   assert.ok(Math.abs((await shown(page)) / mean - 1) < 6e-3, `${await shown(page)} is ${mean}`);
 }
 
-test('a chart that found too little room is said to be uneven, and one click mends it', async (t) => {
+test('an island that found too little room is said to be uneven, and one click mends it', async (t) => {
   const viewport = { width: 1440, height: 900 };
   const open = ['strip.obj', STRIP];
   const page = await openPage(t, { webgl: false, viewport, mode: 'unwrap', open });
@@ -95,7 +95,7 @@ test('a chart that found too little room is said to be uneven, and one click men
   await isMeasured(page);
 });
 
-test('a new chart that finds too little room beside kept UVs is said to be uneven', async (t) => {
+test('a new island that finds too little room beside kept UVs is said to be uneven', async (t) => {
   const squares = [0, 2].flatMap((x) => [
     `v ${x} 0 0`,
     `v ${x + 1} 0 0`,

@@ -354,8 +354,8 @@ for (const [name, width, height] of [
       const box = await page.locator(`#${id}`).boundingBox();
       assert.ok(box.x >= 0 && box.x + box.width <= width, `${id} is inside`);
     }
-    await page.focus('#mode-unwrap');
-    for (const id of ['stretch', 'resolution', 'padding']) {
+    await page.focus('#stretch');
+    for (const id of ['unwrap-balance', 'resolution', 'padding']) {
       await page.keyboard.press('Tab');
       assert.equal(await page.evaluate(() => document.activeElement.id), id);
     }

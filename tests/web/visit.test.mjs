@@ -32,7 +32,7 @@ const fragment = (page) => page.evaluate(() => location.hash);
 /** By its id, even where another control covers it. */
 const press = (page, id) => page.evaluate((id) => document.querySelector(id).click(), id);
 
-test('edited seams, a lock, a moved chart and options come back bit by bit, twice', async (t) => {
+test('edited seams, a lock, a moved island and options come back bit by bit, twice', async (t) => {
   const page = await openPage(t, { own: true, open: ['both.obj', BOTH] });
   await page.fill('#padding', '9');
   await settled(page);
@@ -49,7 +49,7 @@ test('edited seams, a lock, a moved chart and options come back bit by bit, twic
   await page.focus('#layout-canvas');
   for (const key of ['g', 'ArrowRight', 'Shift+ArrowUp', 'Enter']) await page.keyboard.press(key);
   await settled(page);
-  assert.match(await textOf(page, '#run-text'), /^Moved chart \d+, checked in /);
+  assert.match(await textOf(page, '#run-text'), /^Moved island \d+, checked in /);
   const before = await bytes(page);
   for (let i = 0; i < 2; i++) {
     await reload(page);
