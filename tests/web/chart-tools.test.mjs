@@ -66,35 +66,35 @@ test('boxes and lassos select the charts that they touch; keys, menus and Esc', 
   assert.match(await page.getAttribute('.area polygon', 'points'), /^3,3 /, 'the box is seen');
   await page.mouse.up();
   assert.equal(await page.getAttribute('.area polygon', 'points'), '');
-  assert.match(await selection(page), new RegExp(`^${count} charts: `));
-  assert.equal(await said(page), `Selected ${count} charts`);
+  assert.match(await selection(page), new RegExp(`^${count} islands: `));
+  assert.equal(await said(page), `Selected ${count} islands`);
   await page.keyboard.press('Escape');
   assert.ok(await page.isHidden('#selection'));
   assert.deepEqual((await atlas(page)).uv, now.uv, 'nothing was moved');
 
   // From within a chart that is not selected, a drag pans, unless the next one is to draw.
   await page.keyboard.press('b');
-  assert.equal(await said(page), 'Drag a box around charts; Esc cancels');
+  assert.equal(await said(page), 'Drag a box around islands; Esc cancels');
   await page.keyboard.press('Escape');
   const face = middleOf(now.uv[innerFace(now, 0)]);
   const [u, v] = await pixelOf(page, face);
   await page.keyboard.press('b');
   await drag(page, [u, v], [u + 8, v + 1]);
-  assert.match(await selection(page), /^Chart \d+: /);
+  assert.match(await selection(page), /^Island \d+: /);
   const first = await selection(page);
   assert.deepEqual((await pixelOf(page, face)).slice(0, 2), [u, v]);
   // The same with Shift adds, and with Ctrl draws a lasso.
   const other = now.ofFace.findIndex((chart) => chart !== now.ofFace[0]);
   const [left, bottom] = await pixelOf(page, middleOf(now.uv[innerFace(now, other)]));
   await drag(page, [left, bottom], [left + 8, bottom + 1], 'Shift');
-  assert.match(await selection(page), /^2 charts: /);
+  assert.match(await selection(page), /^2 islands: /);
   await drag(page, [left, bottom], [left + 8, bottom + 1], 'Shift', 'Control');
-  assert.match(await selection(page), /^2 charts: /);
+  assert.match(await selection(page), /^2 islands: /);
   await page.keyboard.press('Alt+a');
   await drag(page, [u, v], [u + 8, v + 1], 'Control');
   assert.equal(await selection(page), first);
   await page.keyboard.press('i');
-  assert.match(await selection(page), count > 2 ? new RegExp(`^${count - 1} charts`) : /^Chart/);
+  assert.match(await selection(page), count > 2 ? new RegExp(`^${count - 1} islands`) : /^Island/);
   // A press that does not move is a click, and beside all charts deselects.
   await page.mouse.click(...corner);
   assert.ok(await page.isHidden('#selection'));
@@ -135,15 +135,15 @@ test('charts are selected by material, object, shape, stretch and mirroring', as
   const total = Math.max(...now.ofFace) + 1;
   const [large, small] = [charts(0, -144), charts(-144)];
   assert.equal(large + small, total);
-  const text = (n) => (n === 1 ? /^Chart \d+: / : new RegExp(`^${n} charts: `));
+  const text = (n) => (n === 1 ? /^Island \d+: / : new RegExp(`^${n} islands: `));
   const pick = async (face) => {
     await page.keyboard.press('Alt+a');
     const [x, y] = await pixelOf(page, middleOf(now.uv.at(face)));
     await page.mouse.click(x, y);
-    assert.match(await selection(page), /^Chart \d+: /);
+    assert.match(await selection(page), /^Island \d+: /);
   };
   await choose(page, 'select', '[data-value="material"]');
-  assert.equal(await said(page), 'Select a chart first');
+  assert.equal(await said(page), 'Select an island first');
   for (const by of ['material', 'group']) {
     await pick(-1);
     await choose(page, 'select', `[data-value="${by}"]`);
@@ -153,14 +153,14 @@ test('charts are selected by material, object, shape, stretch and mirroring', as
     await choose(page, 'select', `[data-value="${by}"]`);
     await page.waitForFunction(
       (large) =>
-        document.querySelector('#selection-text').textContent.startsWith(`${large} charts`),
+        document.querySelector('#selection-text').textContent.startsWith(`${large} islands`),
       large,
     );
   }
   await pick(0);
   await choose(page, 'select', '[data-value="shape"]');
   await page.waitForFunction(() =>
-    /^\d+ charts: /.test(document.querySelector('#selection-text').textContent),
+    /^\d+ islands: /.test(document.querySelector('#selection-text').textContent),
   );
   await choose(page, 'select', '[data-value="all"]');
   assert.match(await selection(page), text(total));
@@ -169,9 +169,9 @@ test('charts are selected by material, object, shape, stretch and mirroring', as
   await choose(page, 'select', '[data-value="flipped"]');
   assert.equal(await said(page), 'No face is mirrored');
   await choose(page, 'select', '[data-value="overlapping"]');
-  assert.equal(await said(page), 'No charts overlap');
+  assert.equal(await said(page), 'No islands overlap');
   await choose(page, 'select', '[data-value="1.2"]');
-  assert.match(await said(page), /^(No chart is stretched beyond 1.2; the most is 1|Selected)/);
+  assert.match(await said(page), /^(No island is stretched beyond 1.2; the most is 1|Selected)/);
   // By keyboard.
   await page.focus('#select-charts');
   await page.keyboard.press('ArrowDown');
@@ -220,7 +220,7 @@ test('an edge is made level, and a part of an outline; locked charts stay', asyn
   await page.mouse.down();
   await page.mouse.up();
   await settled(page);
-  assert.match(await said(page), /^Aligned chart \d+, checked/);
+  assert.match(await said(page), /^Aligned island \d+, checked/);
   const now = await atlas(page);
   const [from, to] = sameSide(before, now, side);
   assert.ok(Math.min(Math.abs(from[0] - to[0]), Math.abs(from[1] - to[1])) < 1e-6);
@@ -255,7 +255,7 @@ test('an edge is made level, and a part of an outline; locked charts stay', asyn
   await page.focus('#layout-canvas');
   await page.keyboard.press('e');
   await page.mouse.click(...middle);
-  assert.equal(await said(page), 'Locked charts stay. Unlock them to move them');
+  assert.equal(await said(page), 'Locked islands stay. Unlock them to move them');
   assert.deepEqual((await atlas(page)).uv, before.uv);
 });
 
@@ -296,7 +296,7 @@ test('charts become rectangles and are relaxed in their place, which is undone, 
   await page.keyboard.press('a');
   await choose(page, 'arrange', 'button:text("Rectify")');
   await settled(page);
-  assert.match(await said(page), /^Rectified chart \d+, checked/);
+  assert.match(await said(page), /^Rectified island \d+, checked/);
   const { uv } = await atlas(page);
   const along = (d) => new Set(uv.flat().map((corner) => corner[d].toFixed(5))).size;
   assert.deepEqual(
@@ -306,7 +306,7 @@ test('charts become rectangles and are relaxed in their place, which is undone, 
   );
   await choose(page, 'arrange', 'button:text("Relax")');
   await settled(page);
-  assert.match(await said(page), /^Relaxed chart \d+, checked/);
+  assert.match(await said(page), /^Relaxed island \d+, checked/);
   for (let i = 0; i < 2; ++i) {
     await page.focus('#layout-canvas');
     await page.keyboard.press('Control+z');
@@ -335,7 +335,7 @@ test('Join removes a seam that is clicked in the layout; symmetric edits have bo
     await page.waitForFunction(() => document.querySelector('#seams-state').textContent);
     await settled(page);
   };
-  const charts = async () => Number((await metrics(page)).Charts);
+  const charts = async () => Number((await metrics(page)).Islands);
   await page.click('#details-toggle');
   const { path } = await exportMesh(page);
   const { positions, faces } = parseObj(readFileSync(path, 'utf8'));
@@ -385,7 +385,7 @@ test('a finger draws a box once it is announced', async (t) => {
   assert.ok(menu.y >= 0 && menu.y + menu.height <= viewport.height);
   assert.ok(menu.x >= 0 && menu.x + menu.width <= viewport.width, 'the menu is on the screen');
   await page.locator('#select-menu [data-value="box"]').tap();
-  assert.equal(await said(page), 'Drag a box around charts; a second finger cancels');
+  assert.equal(await said(page), 'Drag a box around islands; a second finger cancels');
   let { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
   const client = await page.context().newCDPSession(page);
   const touch = (type, ...points) =>
@@ -397,7 +397,7 @@ test('a finger draws a box once it is announced', async (t) => {
   for (const share of [0.3, 0.6, 0.98])
     await touch('touchMove', [x + share * width, y + share * height]);
   await touch('touchEnd');
-  assert.match(await selection(page), /^\d+ charts: /);
+  assert.match(await selection(page), /^\d+ islands: /);
   // By mouse: a tap that follows a swift drag only stops it.
   await page.click('#selection-none');
   assert.ok(await page.isHidden('#selection'));

@@ -55,7 +55,7 @@ const isPressed = async (locator) => (await locator.getAttribute('aria-pressed')
 
 test('objects and materials are listed with their copies, triangles and islands', async (t) => {
   const page = await openRoom(t);
-  const charts = Number((await metrics(page)).Charts);
+  const charts = Number((await metrics(page)).Islands);
   const all = await rows(page);
   assert.deepEqual(
     all.map(([name, triangles]) => [name, triangles]),
@@ -95,7 +95,7 @@ test('islands of an object are selected, hidden and isolated, by keyboard too', 
   await select(page, 'table').focus();
   await page.keyboard.press('Enter');
   const selected = () => textOf(page, '#selection-text');
-  const inAll = (count) => new RegExp(count === 1 ? '^Chart' : `^${count} charts: `);
+  const inAll = (count) => new RegExp(count === 1 ? '^Island' : `^${count} islands: `);
   assert.match(await selected(), inAll(Number(ofTable)));
   assert.ok(await isPressed(select(page, 'table')));
   await select(page, 'chair').click({ modifiers: ['Shift'] });
@@ -105,7 +105,7 @@ test('islands of an object are selected, hidden and isolated, by keyboard too', 
   assert.ok(!(await isPressed(select(page, 'table'))));
 
   await button(page, 'Hide chair').click();
-  assert.match(await selected(), new RegExp(`^${ofChair} charts? hidden$`));
+  assert.match(await selected(), new RegExp(`^${ofChair} islands? hidden$`));
   assert.ok(await isPressed(button(page, 'Hide chair')));
   await button(page, 'Hide chair').click();
   assert.ok(await page.isHidden('#selection'));

@@ -4,8 +4,8 @@ import { count, counted, measure } from './format';
 
 export const CHOOSING = {
   button: 'Select…',
-  title: 'Select charts by an area, their material, stretch, shape and more',
-  menu: 'Select charts',
+  title: 'Select islands by an area, their material, stretch, shape and more',
+  menu: 'Select islands',
   box: 'Box',
   lasso: 'Lasso',
   all: 'All',
@@ -18,32 +18,33 @@ export const CHOOSING = {
   flipped: 'Flipped',
   stretched: 'Stretched beyond',
   about: {
-    box: 'Drag a box: all charts that it touches are selected. Shift adds them',
-    lasso: 'Draw around charts: all that it touches are selected. Shift adds them',
+    box: 'Drag a box: all islands that it touches are selected. Shift adds them',
+    lasso: 'Draw around islands: all that it touches are selected. Shift adds them',
     invert: 'Select what is not selected, and nothing else',
-    material: 'Add the charts with a material of the selected ones',
+    material: 'Add the islands with a material of the selected ones',
     group:
-      'Add the charts of the objects that the selected ones are part of: those of an OBJ, or else connected parts',
-    shape: 'Add the charts with the outline of a selected one, turned, mirrored or of another size',
-    overlapping: 'Select charts that overlap others or are stacked',
-    flipped: 'Select charts with faces that are mirrored',
+      'Add the islands of the objects that the selected ones are part of: those of an OBJ, or else connected parts',
+    shape:
+      'Add the islands with the outline of a selected one, turned, mirrored or of another size',
+    overlapping: 'Select islands that overlap others or are stacked',
+    flipped: 'Select islands with faces that are mirrored',
   },
-  aboutStretched: (limit: number) => `Select charts whose stretch is above ${limit}`,
+  aboutStretched: (limit: number) => `Select islands whose stretch is above ${limit}`,
   toDraw: {
-    box: 'Drag a box around charts; Esc cancels',
-    lasso: 'Draw around charts; Esc cancels',
+    box: 'Drag a box around islands; Esc cancels',
+    lasso: 'Draw around islands; Esc cancels',
   },
-  selected: (charts: number) => `Selected ${counted(charts, 'chart')}`,
-  noneInArea: 'No chart is there',
+  selected: (charts: number) => `Selected ${counted(charts, 'island')}`,
+  noneInArea: 'No island is there',
   noneFound: {
-    material: 'No other chart has one of these materials',
-    group: 'No other chart is part of these objects',
-    shape: 'No other chart has this shape',
-    overlapping: 'No charts overlap',
+    material: 'No other island has one of these materials',
+    group: 'No other island is part of these objects',
+    shape: 'No other island has this shape',
+    overlapping: 'No islands overlap',
     flipped: 'No face is mirrored',
   },
   noneStretched: (limit: number, most: number) =>
-    `No chart is stretched beyond ${limit}; the most is ${measure(most)}`,
+    `No island is stretched beyond ${limit}; the most is ${measure(most)}`,
 };
 
 /** An edge of a chart's outline that is made level or upright. */
@@ -51,10 +52,10 @@ export const LEVELLING = {
   item: {
     text: 'Align edge',
     key: 'E',
-    about: 'Rotate a chart so that an edge of its outline is level or upright',
+    about: 'Rotate an island so that an edge of its outline is level or upright',
   },
   toChoose: 'Click an edge, or drag along an outline; Esc cancels',
-  noEdge: 'There is no edge of a chart here',
+  noEdge: 'There is no edge of an island here',
   isLevel: 'This edge is level or upright already',
   cancelled: 'Nothing was aligned',
 };
@@ -63,22 +64,23 @@ export const LEVELLING = {
 export const RESHAPING = {
   rectify: {
     text: 'Rectify',
-    about: 'Make a grid of quads, or a chart that is nearly a rectangle, exactly one, in its place',
+    about:
+      'Make a grid of quads, or an island that is nearly a rectangle, exactly one, in its place',
   },
   relax: {
     text: 'Relax',
     about:
-      'Lay each chart out again, in its place, so that its lengths change as little as possible. Pins stay',
+      'Lay each island out again, in its place, so that its lengths change as little as possible. Pins stay',
   },
   doing: { rectified: 'Rectifying…', relaxed: 'Relaxing…' },
   done: { rectified: 'Rectified', relaxed: 'Relaxed' },
   of: (done: string, charts: number[], left: number) => {
     const [chart] = charts;
-    const which = charts.length === 1 ? `chart ${chart}` : counted(charts.length, 'chart');
+    const which = charts.length === 1 ? `island ${chart}` : counted(charts.length, 'island');
     const others = left === 1 ? '; 1 stays as it is' : `; ${count(left)} stay as they are`;
     return `${done} ${which}${left > 0 ? others : ''}`;
   },
-  failed: (chart: number, why: string) => `Chart ${chart} stays as it is: ${why}`,
+  failed: (chart: number, why: string) => `Island ${chart} stays as it is: ${why}`,
   mirrored: 'it is mirrored',
   noRectangle: 'its outline is not nearly a rectangle',
   touches: 'its outline touches itself',

@@ -81,7 +81,7 @@ export const HELP = {
     isolate: 'Isolate them; press again to show all',
     hide: 'Hide them, or show all',
     move: 'Move, rotate or scale them in the layout',
-    align: 'Click an edge of a chart to make it level or upright',
+    align: 'Click an edge of an island to make it level or upright',
     none: 'Deselect all',
   },
   pins: {
@@ -135,7 +135,7 @@ export const GESTURES = {
   altDrag: 'Alt-drag',
   ctrlDrag: 'Ctrl-drag over the mesh',
   dragMoves: 'drag moves',
-  dragBeside: 'drag beside charts',
+  dragBeside: 'drag beside islands',
   ctrlDragLayout: 'Ctrl-drag in the layout',
   number: 'a number',
   dropFile: 'drop a file',
