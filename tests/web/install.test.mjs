@@ -39,7 +39,7 @@ test('icons have the sizes that the manifest says', () => {
 test('the system opens the meshes that the page opens', async (t) => {
   const page = await openPage(t);
   const accepted = (await page.getAttribute('#file', 'accept')).split(',');
-  const notMeshes = ['.bin', '.mtl', '.png', '.jpg', '.jpeg', '.webp'];
+  const notMeshes = ['.bin', '.mtl', '.png', '.jpg', '.jpeg', '.webp', '.zip'];
   assert.deepEqual(
     endings.toSorted(),
     accepted.filter((ending) => !notMeshes.includes(ending)).sort(),

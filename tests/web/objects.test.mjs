@@ -160,7 +160,7 @@ test('an object has a density, and a material another one', async (t) => {
   await density('chair').fill('3');
   await density('chair').press('Enter');
   await shows('chair', '1');
-  assert.match(await textOf(page, '#live'), /^Locked charts stay/);
+  assert.match(await textOf(page, '#live'), /^Locked islands stay/);
 });
 
 test('what becomes of selected and hidden charts', () => {

@@ -189,7 +189,11 @@ const tasks = {
     return transfer(read, [...buffersOf(corners), ...images]);
   },
 
-  objParts: async (file: File, triangles: number, faces?: Uint32Array): Promise<NamedParts> => {
+  objParts: async (
+    file: File,
+    triangles: number,
+    { faces }: Pick<DisplayMesh, 'faces'>,
+  ): Promise<NamedParts> => {
     const [{ objParts: read }, text] = await Promise.all([objParts(), file.text()]);
     return read(text, triangles, faces);
   },

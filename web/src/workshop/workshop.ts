@@ -261,9 +261,7 @@ export class Workshop implements Helpers {
     if (source.kind !== 'file' || meshFileOf(source.name)?.format !== 'obj') return NO_PARTS;
     const { file } = source;
     const { indices, faces } = mesh;
-    return this.send([{ faces }], (tasks, own) =>
-      tasks.objParts(file, indices.length / 3, own.faces),
-    );
+    return this.send([{ faces }], (tasks, own) => tasks.objParts(file, indices.length / 3, own));
   }
 
   /** The mesh with vertices at the same point joined. */
