@@ -12,7 +12,7 @@ export interface LayoutCall {
 }
 
 /**
- * Takes what the caller gave. `complete` adds the rest of the request, whose buffers are `buffers`.
+ * Takes what the caller gave, at once, unless it is refused or aborted. `complete` adds the rest of the request, whose buffers are `buffers`.
  */
 export function layoutCall(
   mesh: MeshInput,

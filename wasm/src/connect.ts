@@ -74,7 +74,7 @@ export async function connect(platform: Platform, given: CreateOptions = {}): Pr
     workerUrl: workerUrl ?? fileIn(platform, baseUrl, platform.workerFile(name)),
   });
   const baker = startOnce(async () => {
-    const { Baker } = await loaded(import('./baker.js'), 'bakes');
+    const { Baker } = await loadBaker();
     return new Baker(platform, late('bake'));
   });
   const packer = lateClient(platform, 'pack', late('pack'));
@@ -127,14 +127,14 @@ async function startClient(
   );
 }
 
-/** A part of the package that is loaded when it is first needed. `does`: what it does. */
-async function loaded<T>(part: Promise<T>, does: string): Promise<T> {
+/** What bakes is not part of what all load. */
+async function loadBaker(): Promise<typeof import('./baker.js')> {
   try {
-    return await part;
+    return await import('./baker.js');
   } catch (error) {
     throw new AbflatError(
       'UnreadableFile',
-      `Cannot load the part of abflat that ${does}: ${messageOf(error)}.`,
+      `Cannot load the part of abflat that bakes: ${messageOf(error)}.`,
       'module',
     );
   }
@@ -189,7 +189,7 @@ function flatten(client: Client, mesh: MeshInput, given: FlattenOptions): Promis
     straight: straightNumbers(options.straight),
     normalizes: normalize === true,
   } as const;
-  client.checkUsable(options.signal);
+  client.checkUsable();
   const call = layoutCall(mesh, options, (common) => ({ ...common, ...settings }));
   return client.call<FlattenResult>(call.request, call.settings);
 }
@@ -217,7 +217,7 @@ function unwrap(client: Client, mesh: MeshInput, given: UnwrapOptions): Promise<
   } as const;
   const copies = [...arrays, ...Object.values(known?.arrays ?? {})];
   const buffers = copies.flatMap((copy) => (copy ? [copy.buffer as ArrayBuffer] : []));
-  client.checkUsable(options.signal);
+  client.checkUsable();
   const call = layoutCall(mesh, options, (common) => ({ ...common, ...settings }), buffers);
   return client.call<UnwrapResult>(call.request, call.settings);
 }
