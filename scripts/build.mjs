@@ -1,15 +1,15 @@
 #!/usr/bin/env node
-// Builds the command line program, the WebAssembly package and the page, each only if something
-// changed.
-// Usage: build.mjs [native] [wasm] [web]   (default: all; web includes wasm)
+// Builds the command line program, the WebAssembly package, the page and the Python package, each
+// only if something changed.
+// Usage: build.mjs [native] [wasm] [web] [python]   (default: the first three; web includes wasm)
 
 import { cpSync, existsSync, rmSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { cmakeBuild, emscriptenEnv } from './lib/cmake.mjs';
 import { writeLicenses } from './lib/licenses.mjs';
-import { BUILD, NATIVE_PROGRAM, ROOT, WASM_DIST, WEB_DIST } from './lib/paths.mjs';
-import { findClang } from './lib/requirements.mjs';
+import { BUILD, NATIVE_PROGRAM, PYTHON_DIST, ROOT, WASM_DIST, WEB_DIST } from './lib/paths.mjs';
+import { findClang, findPython } from './lib/requirements.mjs';
 import { Failure, mustRun, runMain } from './lib/run.mjs';
 import { stamp, unlessFresh } from './lib/stamp.mjs';
 import { setup } from './setup.mjs';
@@ -48,6 +48,17 @@ export async function buildNative({ tests = false } = {}) {
   });
   writeLicenses(join(BUILD, 'native'), 'native');
   return NATIVE_PROGRAM;
+}
+
+/** The Python package beside the program, with the same library. */
+export async function buildPython() {
+  await cmakeBuild('native', {
+    settings: { ABFLAT_PYTHON: 'ON', Python_EXECUTABLE: findPython() },
+    first: { ABFLAT_TESTS: 'OFF' },
+    targets: ['abflat_python'],
+  });
+  writeLicenses(join(PYTHON_DIST, 'abflat'), 'python');
+  return PYTHON_DIST;
 }
 
 /**
@@ -129,17 +140,18 @@ const STEPS = {
   native: [buildNative],
   wasm: [buildWasm],
   web: [buildWasm, buildWeb],
+  python: [buildPython],
 };
+/** What is built if nothing is named. */
+const USUAL = ['native', 'wasm', 'web'];
 
 async function main() {
   const asked = process.argv.slice(2);
   const unknown = asked.find((name) => !STEPS[name]);
   if (unknown)
     throw new Failure(`Unknown target "${unknown}"; known are: ${Object.keys(STEPS).join(', ')}.`);
-  await setup(['build']);
-  const steps = new Set(
-    (asked.length > 0 ? asked : Object.keys(STEPS)).flatMap((name) => STEPS[name]),
-  );
+  await setup(asked.includes('python') ? ['build', 'python'] : ['build']);
+  const steps = new Set((asked.length > 0 ? asked : USUAL).flatMap((name) => STEPS[name]));
   for (const step of steps) console.log(`built ${relative(ROOT, await step())}`);
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// Turns core/schema into C++, TypeScript, the marked tables of the documentation and the files that
+// Turns core/schema into C++, TypeScript, Python, the marked tables of the documentation and the files that
 // the manifest of the page accepts. With --check, writes nothing: exits with 1 and names the files
 // that differ.
 
@@ -29,6 +29,7 @@ import {
   renderMeshFormat,
   renderPageFormats,
 } from './lib/generate-formats.mjs';
+import { renderPython } from './lib/generate-python.mjs';
 import {
   renderBits,
   renderLateOptions,
@@ -60,6 +61,7 @@ export function renderAll(root) {
     ]),
     ['core/include/abflat/generated/mesh_format.h', renderMeshFormat(schema)],
     ['native/src/files/generated/file_format.h', renderFileFormat(schema)],
+    ['native/python/abflat/_generated.py', renderPython(schema)],
     ['web/src/words/generated-formats.ts', renderPageFormats(schema)],
     ['wasm/bindings/generated/field.h', renderField(schema)],
     ['wasm/bindings/generated/unwrap_array.h', renderUnwrapArrays(schema)],

@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// Writes what each product contains: build/sbom/native.cdx.json, wasm.cdx.json, web.cdx.json.
+// Writes what each product contains: build/sbom/native.cdx.json, python.cdx.json, wasm.cdx.json,
+// web.cdx.json.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';

@@ -147,7 +147,7 @@ function portOf(text) {
 }
 
 /** Serves web/dist, or `folders`, until the process ends; returns the address. `args`: --host [ADDRESS], --port N. */
-export async function serve(args, folders = WEB_DIST) {
+export async function serve(args, folders = WEB_DIST, { what = 'abflat', headers = HEADERS } = {}) {
   const plain = args.map((arg, i) =>
     arg === '--host' && !isAddress(args[i + 1]) ? '--host=0.0.0.0' : arg,
   );
@@ -156,7 +156,7 @@ export async function serve(args, folders = WEB_DIST) {
     options: { host: { type: 'string', default: '127.0.0.1' }, port: { type: 'string' } },
   });
   const asked = values.port ?? process.env.PORT;
-  const server = createStaticServer(folders, HEADERS);
+  const server = createStaticServer(folders, headers);
   const port = await listen(
     server,
     values.host,
@@ -165,7 +165,7 @@ export async function serve(args, folders = WEB_DIST) {
   );
   const shown = ['0.0.0.0', '::', '127.0.0.1'].includes(values.host) ? 'localhost' : values.host;
   const address = `http://${shown}:${port}/`;
-  console.log(`\nabflat is at ${address}   (Ctrl+C ends it)`);
+  console.log(`\n${what} is at ${address}   (Ctrl+C ends it)`);
   return address;
 }
 

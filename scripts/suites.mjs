@@ -2,14 +2,14 @@
 
 import { join } from 'node:path';
 import { buildBench } from '../tests/bench/support/program.mjs';
-import { buildNative, buildSanitized, buildWasm, buildWeb, TESTED } from './build.mjs';
+import { buildNative, buildPython, buildSanitized, buildWasm, buildWeb, TESTED } from './build.mjs';
 import { withBrowsers } from './lib/browsers.mjs';
 import { CHECKED_BUILDS, checkJobs } from './lib/checks.mjs';
 import { cmakeBuild } from './lib/cmake.mjs';
 import { profileIn } from './lib/coverage.mjs';
 import { BUILD } from './lib/paths.mjs';
 import { missingTools, PLATFORMS } from './lib/platforms.mjs';
-import { findChrome, findClang } from './lib/requirements.mjs';
+import { findChrome, findClang, findPython } from './lib/requirements.mjs';
 import { catchJobs, fuzzJobs, NOT_QUALITY, nodeJobs } from './lib/suites.mjs';
 
 /** A finding ends the program in a way that cannot be mistaken for a documented exit code. */
@@ -26,6 +26,7 @@ const WITHOUT = {
   env: {},
 };
 const EMULATED = { ...WITHOUT, purposes: [...WITHOUT.purposes, 'platforms'] };
+const PYTHON = { ...WITHOUT, purposes: [...WITHOUT.purposes, 'python'] };
 const SANITIZED = {
   title: (what) => `${what}, sanitizers`,
   purposes: ['build', 'test', 'fuzz'],
@@ -124,6 +125,16 @@ export const SUITES = [
   node('faults', [program]),
   node('fuzz', [program], { what: 'random meshes' }),
   node('consumers', [], { what: 'projects that use the library', kind: WITHOUT }),
+  node('python', [program, buildPython], {
+    what: 'unittest',
+    kind: PYTHON,
+    env: () => ({ PYTHON: findPython() }),
+  }),
+  node('docs', [program, buildWasm, buildPython], {
+    what: 'site and samples',
+    kind: PYTHON,
+    env: () => ({ PYTHON: findPython() }),
+  }),
   node('bench', [program, buildBench]),
   node('wasm', [program, buildWasm]),
   browser(
@@ -133,7 +144,8 @@ export const SUITES = [
       env: () => ({ CHROME_PATH: findChrome() }),
     }),
   ),
-  node('scripts', []),
+  // The bill of materials also names what the Python package contains.
+  node('scripts', [], { kind: PYTHON }),
 ];
 
 /** What only `npm run test:long` runs in addition, with the long tests of both. */
@@ -168,7 +180,7 @@ export const COVERED_SUITES = [
 const LINT = {
   name: 'lint',
   title: 'lint',
-  purposes: ['build', 'lint'],
+  purposes: ['build', 'lint', 'python'],
   needs: CHECKED_BUILDS,
   jobs: checkJobs,
 };

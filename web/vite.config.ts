@@ -2,7 +2,11 @@ import { defineConfig } from 'vite';
 import headers from './headers.json';
 import { afterBuild } from './scripts/after-build.mjs';
 import { hashedScript } from './scripts/hashed-script.mjs';
+import { namedMethods } from './scripts/named-methods.mjs';
+import { oneThreadScript } from './scripts/one-thread-script.mjs';
+import { optionTexts } from './scripts/option-texts.mjs';
 import { usedThree } from './scripts/used-three.mjs';
+import { MORE } from './src/model/more-names';
 
 /** Vite's own client, for development, has inline styles. */
 const { 'Content-Security-Policy': _, ...isolation } = headers;
@@ -23,11 +27,17 @@ export default defineConfig({
       compress: { passes: 3, pure_getters: true, keep_fargs: false },
     },
   },
-  plugins: [hashedScript('theme.js'), usedThree(), afterBuild(headers)],
+  plugins: [
+    hashedScript('theme.js'),
+    optionTexts([...MORE, 'padding', 'margin', 'islandSizes']),
+    usedThree(),
+    namedMethods(),
+    afterBuild(headers),
+  ],
   // With them the browser gives the page threads.
   server: { headers: isolation },
   preview: { headers },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [oneThreadScript()] },
   // The package finds its worker and its .wasm relative to its own file.
   optimizeDeps: { exclude: ['abflat'] },
 });

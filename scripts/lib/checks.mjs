@@ -2,7 +2,7 @@
 // `{ passed, failed, skipped, output }`.
 
 import { join } from 'node:path';
-import { buildNative, buildWasm, buildWeb } from '../build.mjs';
+import { buildNative, buildPython, buildWasm, buildWeb } from '../build.mjs';
 import { JOBS } from './cmake.mjs';
 import { layerFaults } from './layers.mjs';
 import { BUILD, ROOT } from './paths.mjs';
@@ -25,7 +25,7 @@ const BIOME = join(ROOT, 'node_modules/.bin/biome');
  * Builds that the checks need: for the compile commands, and for the types, which both builds
  * check.
  */
-export const CHECKED_BUILDS = [buildNative, buildWasm, buildWeb];
+export const CHECKED_BUILDS = [buildNative, buildPython, buildWasm, buildWeb];
 
 const cppFiles = () => filesBelow(CPP_FOLDERS).filter((path) => /\.(h|cpp)$/.test(path));
 

@@ -24,6 +24,7 @@ const CONTENTS = {
     'libjpeg-turbo',
     'libwebp',
   ],
+  python: ['eigen', 'fast_float', 'pybind11'],
   wasm: WASM,
   web: [
     ...WASM,
@@ -55,15 +56,16 @@ function licenseText(entry) {
   return `${name} ${version}\n${homepage}\n\n${readFileSync(path, 'utf8')}`;
 }
 
-export function thirdPartyLicenses(product) {
+export const thirdPartyLicenses = (product) => licensesOf(CONTENTS[product]);
+
+/** The licences of these entries, which are as in CONTENTS. */
+export function licensesOf(entries) {
   const head = `abflat is distributed under the MIT License (see LICENSE). It contains the following software.\n`;
   const rule = `\n${'-'.repeat(80)}\n\n`;
-  return [head, ...CONTENTS[product].map((entry) => `${licenseText(entry).trimEnd()}\n`)].join(
-    rule,
-  );
+  return [head, ...entries.map((entry) => `${licenseText(entry).trimEnd()}\n`)].join(rule);
 }
 
-/** Writes LICENSE and THIRD_PARTY_LICENSES.txt of `product` (native, wasm or web) into a folder. */
+/** Writes LICENSE and THIRD_PARTY_LICENSES.txt of `product` (native, python, wasm or web) into a folder. */
 export function writeLicenses(folder, product) {
   mkdirSync(folder, { recursive: true });
   writeFileSync(join(folder, 'LICENSE.txt'), readFileSync(join(ROOT, 'LICENSE'), 'utf8'));

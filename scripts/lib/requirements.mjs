@@ -55,6 +55,26 @@ export function findClang() {
   return files.some((name) => name.startsWith('libclang_rt.profile')) ? clang : undefined;
 }
 
+/**
+ * A Python with NumPy and what compiles modules for it: PYTHON, then the system's, then that of
+ * PATH.
+ */
+export function findPython() {
+  const candidates = [process.env.PYTHON, '/usr/bin/python3', which('python3')];
+  return candidates.filter(Boolean).find((python) => {
+    const { stdout } = spawnSync(python, ['-c', PYTHON_HEADERS], { encoding: 'utf8' });
+    return stdout && existsSync(join(stdout.trim(), 'Python.h'));
+  });
+}
+
+function hasPip() {
+  const python = findPython();
+  const modules = 'import setuptools, wheel, pip, venv, ensurepip';
+  return python !== undefined && spawnSync(python, ['-c', modules]).status === 0;
+}
+
+const PYTHON_HEADERS = 'import numpy, sysconfig; print(sysconfig.get_path("include"))';
+
 /** Debian's emcc does not come with the acorn module that its optimiser loads. */
 export const DEBIAN_NODE_MODULES = '/usr/share/nodejs';
 
@@ -284,6 +304,36 @@ export const REQUIREMENTS = [
     dnf: ['clang', 'compiler-rt'],
     pacman: ['clang', 'compiler-rt'],
     brew: ['llvm'],
+  },
+  {
+    name: 'Python with its headers and NumPy',
+    purpose: 'python',
+    why: 'builds and tests the Python package',
+    present: findPython,
+    apt: ['python3-dev', 'python3-numpy'],
+    dnf: ['python3-devel', 'python3-numpy'],
+    pacman: ['python', 'python-numpy'],
+    brew: ['python', 'numpy'],
+  },
+  {
+    name: 'pip, setuptools and wheel',
+    purpose: 'python',
+    why: 'build the Python package as its users do',
+    present: hasPip,
+    apt: ['python3-pip', 'python3-setuptools', 'python3-wheel', 'python3-venv'],
+    dnf: ['python3-pip', 'python3-setuptools', 'python3-wheel'],
+    pacman: ['python-pip', 'python-setuptools', 'python-wheel'],
+    brew: ['python', 'python-setuptools'],
+  },
+  {
+    name: 'pybind11',
+    purpose: 'python',
+    why: 'joins the Python package and the library',
+    present: () => header('pybind11/pybind11.h'),
+    apt: ['pybind11-dev'],
+    dnf: ['pybind11-devel'],
+    pacman: ['pybind11'],
+    brew: ['pybind11'],
   },
   {
     name: 'C++ compiler for ARM, qemu',

@@ -45,6 +45,10 @@ const LIBRARIES = {
     versionOf: () => versionForLinking('libturbojpeg'),
   },
   libwebp: { license: 'BSD-3-Clause', versionOf: () => versionForLinking('libwebp') },
+  pybind11: {
+    license: 'BSD-3-Clause',
+    files: ['lib', 'share'].map((place) => `${place}/cmake/pybind11/pybind11ConfigVersion.cmake`),
+  },
   cli11: { license: 'BSD-3-Clause', files: ['share/cmake/CLI11/CLI11ConfigVersion.cmake'] },
   emscripten: { license: 'MIT', versionOf: emscriptenVersion },
   // Parts of Emscripten, which has its own copies.
@@ -97,7 +101,9 @@ function packageOf(folder) {
   return { name, version, license, url: homepage, purl };
 }
 
-/** `product`: native, wasm or web. The same contents give the same bytes. */
+const LIBRARY_PRODUCTS = ['python', 'wasm'];
+
+/** `product`: native, python, wasm or web. The same contents give the same bytes. */
 export function billOfMaterials(product) {
   const { version } = JSON.parse(readFileSync(join(ROOT, 'wasm/package.json'), 'utf8'));
   const components = contentsOf(product)
@@ -117,7 +123,7 @@ export function billOfMaterials(product) {
     version: 1,
     metadata: {
       component: {
-        type: product === 'wasm' ? 'library' : 'application',
+        type: LIBRARY_PRODUCTS.includes(product) ? 'library' : 'application',
         'bom-ref': `abflat-${product}`,
         name: `abflat-${product}`,
         version,

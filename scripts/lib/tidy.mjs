@@ -77,7 +77,7 @@ export async function checkBatch(list, folder, { root = ROOT, nodes = DEEP_NODES
   mkdirSync(folder, { recursive: true });
   const file = join(folder, BATCH);
   writeFileSync(file, list.map((source) => `#include "${source.file}"\n`).join(''));
-  const filter = `--header-filter=^${escaped(root)}/(core/include|core/src|core/formats|native/src)/.*\\.(h|cpp)$`;
+  const filter = `--header-filter=^${escaped(root)}/(core/include|core/src|core/formats|native/src|native/python/src)/.*\\.(h|cpp)$`;
   const args = analyzerArgs(nodes);
   const together = await clangTidy(file, list[0], folder, [BATCH_CHECKS, filter, ...args]);
   if (together.code === 0) return { clean: list, output: '' };

@@ -136,7 +136,7 @@ function squareGlb(Indices, mode, indices) {
   return maker.glb();
 }
 
-const MATERIALS = `mtllib a.mtl\n${CUBE_OF_PARTS}\0newmtl most\nKd 1 0 0.5\nmap_Kd -s 1 1 1 a.png\nd 0.5\nnewmtl last\nTr 0.1\nPm 1\n`;
+const MATERIALS = `mtllib a.mtl\n${CUBE_OF_PARTS}\0newmtl most\nKd 1 0 0.5\nmap_Kd -s 1 2 -o 0.5 -clamp on -mm 0 1 a.png\nmap_Bump -bm 0.5 b.png\nrefl -type sphere c.png\nd 0.5\nnewmtl last\nTr 0.1\nPm 1\n`;
 
 const OBJ = [
   TRIANGLE,

@@ -32,6 +32,7 @@ const OUTPUTS = [
   'wasm/src/base/generated-report.ts',
   'wasm/src/base/generated-arrays.ts',
   'wasm/src/base/generated-bits.ts',
+  'native/python/abflat/_generated.py',
   'core/include/abflat/generated/mesh_format.h',
   'native/src/files/generated/file_format.h',
   'web/src/words/generated-formats.ts',
@@ -112,6 +113,7 @@ describe('in a copy', () => {
     assert.equal(generate(copy).status, 0);
     assert.match(read(OUTPUTS[1]), /\bdouble t = 1\.25;/);
     assert.match(read(OUTPUTS[2]), /\bt: 1\.25,/);
+    assert.match(read(OUTPUTS[10]), /"t": OptionInfo\("t", 1\.25, /);
   });
 
   test('a choice becomes an enum and a union, a word its value', () => {
@@ -125,6 +127,7 @@ describe('in a copy', () => {
     assert.match(read(OUTPUTS[1]), /EdgeKind edgeKind = EdgeKind::Hard;/);
     assert.match(read(OUTPUTS[1]), /"--edge-kind"/);
     assert.match(read(OUTPUTS[1]), /constexpr double kAutoT = 0;/);
+    assert.match(read(OUTPUTS[10]), /\bedge_kind: Literal\["soft", "hard"\]/);
     assert.match(read(OUTPUTS[2]), /export type EdgeKind = 'soft' \| 'hard';/);
     assert.match(read(OUTPUTS[2]), /\bt: number \| 'auto';/);
   });

@@ -51,6 +51,7 @@ test('a version is opened above the last release, and renamed until it is releas
 test('every product carries the licences of what is in it', () => {
   for (const [product, others] of [
     ['native', ['fast_float', 'JSON for Modern C++', 'CLI11', 'Draco', 'meshopt', 'zlib']],
+    ['python', ['fast_float', 'pybind11']],
     ['wasm', ['Emscripten', 'musl libc']],
     ['web', ['Emscripten', 'musl libc', 'three ']],
   ]) {

@@ -12,10 +12,18 @@ export const DOCUMENTS = filesBelow(['.'], ROOT)
 
 export const textOf = (document) => readFileSync(join(ROOT, document), 'utf8');
 
-/** Blocks between fences, as `{ language, code }`. */
+/**
+ * Blocks between fences, as `{ language, skip, code, line }`; `skip` is why tests leave a sample
+ * out, written behind its language as skip="reason".
+ */
 export function codeBlocks(text) {
-  const blocks = text.matchAll(/^```(\w*)\n(.*?)^```/gms);
-  return [...blocks].map(([, language, code]) => ({ language, code }));
+  const blocks = text.matchAll(/^```(\w*)([^\n]*)\n(.*?)^```/gms);
+  return [...blocks].map(({ index, 1: language, 2: more, 3: code }) => ({
+    language,
+    skip: more.match(/ skip="([^"]*)"$/)?.[1],
+    code,
+    line: text.slice(0, index).split('\n').length,
+  }));
 }
 
 /** Code within sentences, without backticks. */

@@ -94,7 +94,8 @@ export class GlbMaker {
 export function boxOf(array, size) {
   const column = (d) => Array.from(array).filter((_, i) => i % size === d);
   const all = Array.from({ length: size }, (_, d) => column(d));
-  return { min: all.map((x) => Math.min(...x)), max: all.map((x) => Math.max(...x)) };
+  const extreme = (of) => all.map((numbers) => numbers.reduce((a, b) => of(a, b)));
+  return { min: extreme(Math.min), max: extreme(Math.max) };
 }
 
 export function glbOf(json, buffer) {

@@ -53,3 +53,11 @@ export function madePng(width, height, at) {
     }
   return encodedPng(width, height, pixels);
 }
+
+/** Grey with 16 bits; `at(x, y)` is from 0 to 65535. */
+export function grey16Png(width, height, at) {
+  const rows = Buffer.alloc(height * (2 * width + 1));
+  for (let y = 0; y < height; y++)
+    for (let x = 0; x < width; x++) rows.writeUInt16BE(at(x, y), y * (2 * width + 1) + 1 + 2 * x);
+  return pngOf(width, height, [16, 0], rows);
+}

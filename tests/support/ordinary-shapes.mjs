@@ -333,6 +333,7 @@ function pipes() {
     shape(`pipe of ${sides} sides with two bends`, tube(steps, sides), {
       charts: [1, 5],
       sd: 1.03,
+      level: 0.9,
       // Once along the pipe and four times around it.
       cut: 1.1 * length + 4 * 2 * Math.PI,
     }),

@@ -95,6 +95,27 @@ function transformed([u, v], { offset = [0, 0], rotation = 0, scale = [1, 1] } =
   return [c * x + s * y + offset[0], -s * x + c * y + offset[1]];
 }
 
+/** The numbers from 0 to 1 of an image of parsePng at uv (v downwards), interpolated. */
+export function texelAt(image, [u, v], { wrapS = 10497, wrapT = 10497, isColour = false } = {}) {
+  const [x, y] = [u * image.width - 0.5, v * image.height - 0.5];
+  const [i, j] = [Math.floor(x), Math.floor(y)];
+  const out = Array(image.channels).fill(0);
+  for (const [dx, dy] of [
+    [0, 0],
+    [1, 0],
+    [0, 1],
+    [1, 1],
+  ]) {
+    const weight = (dx ? x - i : 1 - x + i) * (dy ? y - j : 1 - y + j);
+    image
+      .at(WRAPS[wrapS](i + dx, image.width), WRAPS[wrapT](j + dy, image.height))
+      .forEach((value, d) => {
+        out[d] += weight * (isColour && d < 3 ? linear(value / 255) : value / 255);
+      });
+  }
+  return out;
+}
+
 /** The images of a GLB that are PNG, parsed; one at a time, when first needed. */
 function imagesOf(gltf) {
   const parsed = new Map();
@@ -137,23 +158,7 @@ export function samplerOf(bytes) {
     const image = imageAt(texture.source);
     const { wrapS = 10497, wrapT = 10497 } = json.samplers?.[texture.sampler] ?? {};
     const [u, v] = transformed(at, transform);
-    const [x, y] = [u * image.width - 0.5, v * image.height - 0.5];
-    const [i, j] = [Math.floor(x), Math.floor(y)];
-    const out = Array(image.channels).fill(0);
-    for (const [dx, dy] of [
-      [0, 0],
-      [1, 0],
-      [0, 1],
-      [1, 1],
-    ]) {
-      const weight = (dx ? x - i : 1 - x + i) * (dy ? y - j : 1 - y + j);
-      image
-        .at(WRAPS[wrapS](i + dx, image.width), WRAPS[wrapT](j + dy, image.height))
-        .forEach((value, d) => {
-          out[d] += weight * (isColour && d < 3 ? linear(value / 255) : value / 255);
-        });
-    }
-    return out;
+    return texelAt(image, [u, v], { wrapS, wrapT, isColour });
   };
   return { sample, gltf, json, count: triangles.length };
 }

@@ -42,7 +42,9 @@ async function bothLayouts(t, document) {
   const native = await io.readBinary(readFileSync(at('out.glb')));
   const edited = await io.readBinary(readFileSync(at('in.glb')));
   const atlases = [];
-  await edited.transform(unwrap(abflat, { onAtlas: (atlas) => atlases.push(atlas) }));
+  await edited.transform(
+    unwrap(abflat, { groupBy: 'scene', onAtlas: (atlas) => atlases.push(atlas) }),
+  );
   return {
     native: layoutOf(native),
     package: layoutOf(edited),

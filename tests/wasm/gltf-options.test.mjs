@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { UNWRAP_DEFAULTS } from '@gltf-transform/functions';
 import { createAbflat } from 'abflat';
 import { documentMesh, setTexcoords, unwrap } from 'abflat/gltf';
 import {
@@ -51,6 +52,49 @@ test('groupBy: an atlas for all, for each mesh, or for each primitive', async ()
     assert.equal(fractions.at(-1), 1);
   }
   assert.deepEqual(counts, { scene: [3], mesh: [2, 1], primitive: [1, 1, 1] });
+});
+
+test('by default meshes have atlases of their own, unless they share what they have', async () => {
+  const partsIn = async (options) => {
+    const document = character();
+    addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+    const sizes = [];
+    const onAtlas = ({ parts }) => sizes.push(parts.length);
+    await document.transform(unwrap(abflat, { texcoord: 2, ...options, onAtlas }));
+    return sizes;
+  };
+  assert.deepEqual(UNWRAP_DEFAULTS.groupBy, 'mesh', 'that of glTF-Transform');
+  assert.deepEqual(await partsIn({}), [2, 1]);
+  assert.deepEqual(await partsIn({ ownTexels: true }), [3]);
+  assert.deepEqual(await partsIn({ fixedFaces: new Uint32Array(0), overwrite: true }), [3]);
+});
+
+test('a mesh that nodes share is sized for the largest of them beside other meshes', async () => {
+  const areas = async (sizes) => {
+    const document = emptyDocument();
+    const { mesh, node } = addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+    const other = addMesh(document, 'other', primitiveOf(document, sphere(4)));
+    other.node.setTranslation([50, 0, 0]);
+    node.setScale(Array(3).fill(sizes[0]));
+    for (const size of sizes.slice(1)) {
+      const again = document.createNode().setMesh(mesh).setScale(Array(3).fill(size));
+      document
+        .getRoot()
+        .listScenes()[0]
+        .addChild(again.setTranslation([0, 50, 0]));
+    }
+    await document.transform(unwrap(abflat, { groupBy: 'scene' }));
+    const [shared, single] = areasIn(document);
+    return shared / single;
+  };
+  for (const sizes of [
+    [1, 5],
+    [5, 1],
+    [2, 5, 1],
+  ]) {
+    const ratio = await areas(sizes);
+    assert.ok(Math.abs(ratio / 25 - 1) < 0.05, `${sizes}: ${ratio}`);
+  }
 });
 
 /** A ball in three sizes, one of them mirrored, and one outside the scene. */

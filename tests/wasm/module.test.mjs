@@ -72,7 +72,7 @@ test('the functions of the modules are declared as they are', () => {
 
 test('what C++ calls takes the arguments that it is given', () => {
   const [, list, call] = CALLBACKS.match(
-    /EM_JS\(void, \w+, \((.*?)\), \{\s*Module\["onProgress"\]\((.*?)\);/s,
+    /EM_JS\(int, \w+, \((.*?)\), \{\s*return Module\["onProgress"\]\((.*?)\);/s,
   );
   const given = list.split(',').map(parameterOf);
   assert.deepEqual(

@@ -73,6 +73,50 @@ test('with keepPlaces the layout is as it was, and what is wrong with each trian
   assert.equal(report.valid, false);
 });
 
+test('other coordinates take the place of those of the mesh, in its file, too', async () => {
+  const file = { bytes: bytesOf(CUBE_OF_PARTS), name: 'cube.obj' };
+  const { uv, indices } = await abflat.pack(file, { keepPlaces: true });
+  const given = Float64Array.from(indices, (v) => uv[2 * v]);
+  const corners = Float64Array.from({ length: 2 * indices.length }, (_, i) =>
+    i % 2 === 0 ? given[i / 2] + 2 : uv[2 * indices[(i - 1) / 2] + 1],
+  );
+  const moved = await abflat.pack(file, { keepPlaces: true, obj: true, uv: corners });
+  const at = Float64Array.from(corners, (_, i) => moved.uv[2 * moved.indices[i >> 1] + (i % 2)]);
+  assert.deepEqual(at, corners);
+  const written = await abflat.pack({ bytes: moved.obj, name: 'moved.obj' }, { keepPlaces: true });
+  assert.deepEqual(written.uv, moved.uv);
+  await assertFails(
+    abflat,
+    abflat.pack(file, { uv: corners.slice(2) }),
+    'InvalidMesh',
+    /corners of triangles, not 2 for each/,
+  );
+  await assertFails(abflat, abflat.pack(file, { uv: [0] }), 'InvalidOption', /uv must be a Float/);
+});
+
+test('some islands are packed around the others, or all in tiles of their own', async () => {
+  const mesh = PARTS();
+  mesh.texcoords = mesh.texcoords.map((x) => x / 20);
+  const islands = Uint32Array.of(1);
+  const some = await abflat.pack(mesh, { islands });
+  assert.equal(some.report.valid, true);
+  for (const c of [0, 1, 2, 3, 4, 5])
+    assert.deepEqual(
+      rowOf(some.uv, some.indices[c]),
+      rowOf(mesh.texcoords, mesh.indices[c]).map(Math.fround),
+    );
+  const { uv, indices, report } = await abflat.pack(mesh, { tileOfIsland: Uint32Array.of(0, 10) });
+  assert.deepEqual([report.valid, report.tiles], [true, 11]);
+  const rows = [...indices.subarray(0, 9)].map((v) => Math.floor(uv[2 * v + 1]));
+  assert.deepEqual(rows, [0, 0, 0, 0, 0, 0, 1, 1, 1]);
+  await assertFails(
+    abflat,
+    abflat.pack(mesh, { islands: Uint32Array.of(2) }),
+    'InvalidOption',
+    /island 2 cannot be packed/,
+  );
+});
+
 test('options and progress are those of pack', async () => {
   const stages = new Set();
   const { report } = await abflat.pack(PARTS(), {

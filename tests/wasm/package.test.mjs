@@ -103,7 +103,7 @@ test(`what the first pack loads is under ${MAX_PACKING_KB} KB compressed`, (t) =
 test(`what the first bake loads is under ${MAX_BAKING_KB} KB compressed`, (t) => {
   const known = filesFrom('index.js', AT_ONCE);
   const later = [...filesFrom('index.js')].filter((name) => !known.has(name));
-  assert.ok(later.includes('baker.js'), `${later}`);
+  assert.ok(later.includes('rest.js'), `${later}`);
   const files = [...later, ...filesFrom('worker-bake.js'), 'abflat-bake.wasm'];
   const sum = compressedSize(files);
   t.diagnostic(`${sum} bytes in ${files.length} files`);
@@ -113,6 +113,20 @@ test(`what the first bake loads is under ${MAX_BAKING_KB} KB compressed`, (t) =>
 test('the entries for browsers import only files of the package', () => {
   assert.ok(filesFrom('index.js').size > 1);
   for (const name of Object.values(BUILDS)) assert.ok(filesFrom('worker.js').has(`${name}.js`));
+});
+
+test('what runs in the calling thread imports no worker, and nothing when it is called', () => {
+  for (const entry of ['sync.js', 'watlas.js']) {
+    const files = [...filesFrom(entry)];
+    assert.ok(files.includes('abflat-simd.js') && files.includes('engine.js'));
+    assert.deepEqual([...filesFrom(entry, AT_ONCE)].sort(), files.sort());
+    for (const name of files)
+      assert.doesNotMatch(
+        readFileSync(join(DIST, name), 'utf8'),
+        /new Worker\(|threads\.wasm/,
+        name,
+      );
+  }
 });
 
 test('scripts have the ending that every server knows, and lines that a stack trace can name', () => {
@@ -253,6 +267,21 @@ test('the examples of packing in the README run', async () => {
     assert.ok(primitivesOf(written)[0].getAttribute('TEXCOORD_1'));
   };
   await runExample('gltf-pack', check, { 'mesh.glb': await io.writeBinary(document) });
+});
+
+test('the examples without a worker, and with several, in the README run', async () => {
+  await runExample('sync', (stdout) => assert.match(stdout, /^true \d+$/m));
+  await runExample('pool', (stdout) => assert.match(stdout, /^true 4$/m));
+});
+
+test('the example in place of watlas in the README runs', async () => {
+  const document = emptyDocument();
+  addMesh(document, 'ball', primitiveOf(document, sphere(4)));
+  const check = async (_, folder) => {
+    const written = await io.read(join(folder, 'mesh-uv.glb'));
+    assert.ok(primitivesOf(written)[0].getAttribute('TEXCOORD_1'));
+  };
+  await runExample('watlas', check, { 'mesh.glb': await io.writeBinary(document) });
 });
 
 test('the example of baking in the README runs', async () => {

@@ -38,8 +38,7 @@ test('npm pack contains the licences, the changes, an example and no sources', (
     'CHANGELOG.md',
     'examples/unwrap.mjs',
     // For tools that do not read "exports".
-    'gltf/package.json',
-    'three/package.json',
+    ...['gltf', 'sync', 'three', 'watlas'].map((name) => `${name}/package.json`),
     'dist/index.d.ts',
     ...['abflat', 'abflat-simd', 'abflat-threads', 'abflat-pack', 'abflat-bake'].map(
       (name) => `dist/${name}.wasm`,
@@ -53,7 +52,7 @@ test('npm pack contains the licences, the changes, an example and no sources', (
   assert.deepEqual(
     files.filter(
       (path) =>
-        !/^(dist\/|examples\/|((gltf\/|three\/)?package\.json|README\.md|LICENSE|CHANGELOG\.md)$)/.test(
+        !/^(dist\/|examples\/|(((gltf|sync|three|watlas)\/)?package\.json|README\.md|LICENSE|CHANGELOG\.md)$)/.test(
           path,
         ),
     ),
@@ -74,7 +73,9 @@ test('types and modules are found however they are resolved', async () => {
   const { entrypoints, problems } = await checkPackage(archive, {
     excludeEntrypoints: NOT_IMPORTED,
   });
-  assert.deepEqual(Object.keys(entrypoints).sort(), ['.', './gltf', './package.json', './three']);
+  assert.deepEqual(Object.keys(entrypoints).sort(), [
+    ...['.', './gltf', './package.json', './sync', './three', './watlas'],
+  ]);
   // CommonJS requires the ES modules; places.test.mjs checks what older releases of Node say.
   const others = problems.filter(({ kind }) => kind !== 'CJSResolvesToESM');
   assert.deepEqual(others, []);
@@ -91,11 +92,17 @@ test('installed without anything else, it unwraps', () => {
   const code = `
     import { createAbflat } from 'abflat';
     import { unwrap } from 'abflat/gltf';
+    import { createAbflatSync } from 'abflat/sync';
+    import { Atlas, Initialize } from 'abflat/watlas';
     const abflat = await createAbflat();
     const { report } = await abflat.unwrap(await abflat.sample('head'));
     console.log(report.valid, typeof unwrap);
     abflat.terminate();
+    const inThread = await createAbflatSync();
+    console.log(inThread.unwrap(inThread.sample('hemisphere')).report.valid);
+    await Initialize();
+    console.log(new Atlas().meshCount);
   `;
   writeFileSync(join(project, 'main.mjs'), code);
-  assert.equal(run(process.execPath, ['main.mjs'], project), 'true function\n');
+  assert.equal(run(process.execPath, ['main.mjs'], project), 'true function\ntrue\n0\n');
 });

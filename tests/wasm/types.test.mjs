@@ -29,6 +29,29 @@ export async function unwrapAll(meshes: { positions: number[]; indices: Uint8Arr
 // @ts-expect-error There is no such option.
 export const wrong = (abflat: Abflat) => abflat.unwrap({ positions: [] }, { paddings: 1 });
 `;
+const SYNC = `
+import { createAbflat, type UnwrapResult } from 'abflat';
+import { type AbflatSync, createAbflatSync } from 'abflat/sync';
+import { Atlas, createWatlas, Initialize, type MeshDecl } from 'abflat/watlas';
+
+export async function now(bytes: Uint8Array, module: object): Promise<UnwrapResult[]> {
+  const abflat: AbflatSync = await createAbflatSync({ wasmUrl: module, packUrl: bytes, also: ['bake'] });
+  const mesh = abflat.sample('head');
+  const layout: UnwrapResult = abflat.unwrap(mesh, { padding: 4, onProgress: ({ stage }) => void stage });
+  await createAbflat({ workers: 2, queue: 4, wasmUrl: bytes });
+  await Initialize({ wasmUrl: '/abflat.wasm' });
+  const decl: MeshDecl = { vertexCount: 3, vertexPositionData: new Float32Array(9), vertexPositionStride: 12 };
+  const atlas: Atlas = new Atlas();
+  atlas.addMesh(decl);
+  atlas.generate({ maxCost: 2 }, { padding: 4 });
+  const [u, v]: [number, number] = atlas.getMesh(0).getVertex(0).uv;
+  const { Atlas: Own } = createWatlas(abflat, { maxStretch: 1 + u + v });
+  new Own().delete();
+  return [layout];
+}
+// @ts-expect-error The result is no promise.
+export const wrong = (abflat: AbflatSync) => abflat.unwrap({ positions: [] }).then;
+`;
 /** Used as they are if they are declared. */
 const PLATFORM = `
 import { createAbflat } from 'abflat';
@@ -117,7 +140,7 @@ const isOurs = ({ file }) => !file.includes('/node_modules/');
 
 for (const [how, resolution] of Object.entries({ node16: NODE16, bundler: BUNDLER }))
   test(`${how}: arrays and files need ES2022 alone`, () => {
-    assert.deepEqual(texts(complaints([ARRAYS], { ...BARE, ...resolution })), []);
+    assert.deepEqual(texts(complaints([ARRAYS, SYNC], { ...BARE, ...resolution })), []);
   });
 
 test('signals and URLs of Node', () => {
@@ -125,7 +148,7 @@ test('signals and URLs of Node', () => {
 });
 
 test('those of browsers, glTF-Transform and three.js', () => {
-  const found = complaints([ARRAYS, PLATFORM, GLTF, THREE], { ...DOM, ...BUNDLER });
+  const found = complaints([ARRAYS, SYNC, PLATFORM, GLTF, THREE], { ...DOM, ...BUNDLER });
   // Declarations of other packages may not suit the compiler.
   assert.deepEqual(texts(found.filter(isOurs)), []);
 });

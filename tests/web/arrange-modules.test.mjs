@@ -314,6 +314,25 @@ test('a chart is scaled to a density relative to the others, and keeps it', asyn
   assert.deepEqual(perChart(set({ ...before, chartOfTriangle }, 1, 2)[1]), [1, 2, 1, 1]);
 });
 
+test('where each tile has a density of its own, charts are compared with those in their tile', async () => {
+  const { atDensity, evened, keptDensities } = await load('arrange/density');
+  const { movedUv } = await load('arrange/move-charts');
+  const arrays = atlas([SQUARE, SQUARE, SQUARE, SQUARE]);
+  const positions = [0, 1, 2, 3].flatMap((chart) => SQUARE.flatMap(([x, y]) => [x, y, chart]));
+  // The last two charts are in the second tile, three times as large.
+  const scale = { motions: [2, 3].map(() => ({ a: 3, b: 0, x: 1, y: 0 })), charts: charts(2, 3) };
+  const small = { ...arrays, uv: arrays.uv.map((x) => 0.1 * (x % 3)) };
+  const before = { ...small, positions, uv: movedUv(small, scale), isByTile: true };
+  for (const chart of [0, 2]) {
+    isNear(atDensity(before, charts(chart), 2).motions[0].a, 2);
+    isNear(evened(before, charts(chart)).motions[0].a, 1);
+    const now = movedUv(before, atDensity(before, charts(chart), 0.5));
+    const asked = keptDensities(before, now, undefined);
+    areNear([asked[2 * chart]], [0.5]);
+    assert.equal(asked.filter((density) => density !== 1).length, 2);
+  }
+});
+
 test('charts keep their colours as long as they have the same triangles', async () => {
   const { KeptColors } = await load('workshop/kept-colors');
   const kept = new KeptColors();
@@ -337,7 +356,7 @@ test('a check that ends after the next move does not take that back', async () =
     { placeCharts: () => undefined, showFlat: () => undefined, moveCharts: () => undefined },
     {
       placing: () => undefined,
-      placed: (layout) => wanted.push(layout),
+      placed: ({ result }) => wanted.push(result),
       notPlaced: (error) => assert.fail(error),
     },
   );
@@ -370,7 +389,7 @@ test('moves that do not wait for each other all count, and those of another atla
     { placeCharts: () => undefined, showFlat: () => undefined, moveCharts: () => undefined },
     {
       placing: () => undefined,
-      placed: (layout) => wanted.push(layout),
+      placed: ({ result }) => wanted.push(result),
       notPlaced: (error) => refused.push(error),
     },
   );

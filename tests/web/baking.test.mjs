@@ -119,9 +119,16 @@ test('off, or in another format, all is as without the switch; another mesh begi
   const page = await openPage(t, { open: ['cube.glb', CUBE] });
   const before = await exportAs(page, 'glb');
   await toggle(page);
-  const obj = await exportAs(page, 'obj');
-  assert.match(obj.bytes.toString(), /^vt /m);
-  assert.equal(await textOf(page, '#export'), 'Export OBJ');
+  await page.click('#export-formats');
+  assert.match(
+    await textOf(page, '#export-menu [data-value="ply"]'),
+    /shape and UVs only, no baked textures$/,
+    'said before anything is saved',
+  );
+  await page.keyboard.press('Escape');
+  const ply = await exportAs(page, 'ply');
+  assert.match(ply.bytes.toString('latin1'), /^ply/);
+  assert.equal(await textOf(page, '#export'), 'Export PLY');
   await toggle(page);
   assert.deepEqual((await exportAs(page, 'glb')).bytes, before.bytes);
   await toggle(page, '2,048\u202fpx');

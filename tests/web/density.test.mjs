@@ -2,26 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { objText, together } from '../support/surfaces.mjs';
+import { densityOf, FACES, isNear, shownDensity as shown, TILES } from './density-page.mjs';
 import { atlas, middleOf, pixelOf } from './layout.mjs';
 import { openPage, reload, settled, textOf } from './page.mjs';
-
-/** A square that is a chart as it is. */
-const TILE = {
-  positions: [0, 1, 2, 3, 4, 5, 6, 7, 8].map((i) => [i % 3, Math.floor(i / 3), 0]),
-  faces: [0, 1, 3, 4].map((i) => [i, i + 1, i + 4, i + 3]),
-};
-const FACES = TILE.faces.length;
-const TILES = objText(together([0, 3, 6].map((x) => [TILE, [x, 0, 0]])));
-
-const areaOf = (corners) =>
-  corners.reduce((sum, [x1, y1], i) => {
-    const [x2, y2] = corners[(i + 1) % corners.length];
-    return sum + (x1 * y2 - x2 * y1) / 2;
-  }, 0);
-
-/** Of a face, beside that of the last one; charts are flat, so it is that of the whole chart. */
-const densityOf = ({ uv }, face) => Math.sqrt(areaOf(uv[face]) / areaOf(uv.at(-1)));
 
 /** Selects the chart of the face that is now at this place. */
 async function select(page, { uv }, face) {
@@ -36,18 +19,12 @@ async function setDensity(page, text) {
   await settled(page);
 }
 
-const shown = (page) => page.inputValue('#selection-density');
-
 async function packAgain(page) {
   await page.click('#details-toggle');
   await page.click('#tab-charts');
   await page.click('#pack-again');
   await settled(page);
   await page.click('#details-toggle');
-}
-
-function isNear(value, wanted) {
-  assert.ok(Math.abs(value / wanted - 1) < 0.01, `${value} is ${wanted}`);
 }
 
 test('a density is set, kept when all is packed anew, by other options and after a reload, and undone', async (t) => {

@@ -17,23 +17,7 @@ import {
   settled,
   textOf,
 } from './page.mjs';
-
-const CORNERS = [
-  [0, 0],
-  [1, 0],
-  [1, 1],
-  [0, 1],
-];
-
-/** Separate squares, each with a rectangle in uv: [u, v, width, height], a negative width mirrors it. */
-function patches(rectangles) {
-  const lines = rectangles.flatMap(([u, v, width, height], i) => [
-    ...CORNERS.map(([x, y]) => `v ${x + 2 * i} ${y} 0`),
-    ...CORNERS.map(([x, y]) => `vt ${u + x * width} ${v + y * height}`),
-    `f ${[1, 2, 3, 4].map((k) => `${4 * i + k}/${4 * i + k}`).join(' ')}`,
-  ]);
-  return `${lines.join('\n')}\n`;
-}
+import { CORNERS, squares } from './squares.mjs';
 
 const OVERLAPPING = [
   [0.1, 0.1, 0.3, 0.2],
@@ -42,9 +26,9 @@ const OVERLAPPING = [
 const OUTSIDE = [1.5, -0.25, 0.25, 0.5];
 const MIRRORED = [0.9, 0.6, -0.25, 0.25];
 const EMPTY = [0.75, 0.25, 0.125, 0];
-const FAULTY = patches([...OVERLAPPING, OUTSIDE, MIRRORED, EMPTY]);
+const FAULTY = squares([...OVERLAPPING, OUTSIDE, MIRRORED, EMPTY]);
 /** Nothing is wrong with these but where they are. */
-const MISPLACED = patches([...OVERLAPPING, OUTSIDE]);
+const MISPLACED = squares([...OVERLAPPING, OUTSIDE]);
 
 const isPressed = (page, id) => page.locator(id).getAttribute('aria-pressed');
 
@@ -106,7 +90,7 @@ test('islands that are stacked on purpose are told from those that overlap, and 
     [0.7, 0.7, 0.125, 0.125],
   ];
   const page = await openPage(t, {
-    open: ['stacked.obj', patches([place, place, mirrored, ...apart])],
+    open: ['stacked.obj', squares([place, place, mirrored, ...apart])],
   });
   await choose(page, 'pack');
   const { Overlapping, Stacked, Flipped } = await metrics(page);
@@ -144,7 +128,7 @@ test('islands that are stacked on purpose are told from those that overlap, and 
   assert.equal((await rows()).at(-1)[0], '4');
   await page.getByRole('button', { name: 'Show island 4' }).click();
   // Where something else lies on a stack, all that overlaps is called so.
-  await dropAndWait(page, 'more.obj', patches([place, place, [0.3, 0.3, 0.25, 0.25]]));
+  await dropAndWait(page, 'more.obj', squares([place, place, [0.3, 0.3, 0.25, 0.25]]));
   await choose(page, 'pack');
   const more = await metrics(page);
   assert.deepEqual([more.Overlapping, more.Stacked], ['3', '0']);
@@ -156,7 +140,7 @@ test('islands in UDIM tiles are not outside', async (t) => {
     [1.5, 0.5, 0.25, 0.25],
     [2.25, 1.5, 0.5, 0.25],
   ];
-  const page = await openPage(t, { open: ['tiles.obj', patches(tiles)] });
+  const page = await openPage(t, { open: ['tiles.obj', squares(tiles)] });
   await choose(page, 'pack');
   assert.equal((await metrics(page)).Outside, '0');
   assert.equal(await textOf(page, '#badge'), 'Valid');
@@ -164,12 +148,24 @@ test('islands in UDIM tiles are not outside', async (t) => {
   const { path } = await exportMesh(page);
   assert.deepEqual(
     parseObj(readFileSync(path, 'utf8')).texcoords,
-    parseObj(patches(tiles)).texcoords,
+    parseObj(squares(tiles)).texcoords,
   );
   // Over the edge of a tile, it is.
-  await dropAndWait(page, 'over.obj', patches([...tiles, [2.9, 0.5, 0.25, 0.25]]));
+  await dropAndWait(page, 'over.obj', squares([...tiles, [2.9, 0.5, 0.25, 0.25]]));
   await choose(page, 'pack');
   assert.equal((await metrics(page)).Outside, '3');
+});
+
+test('faces without UVs are left out of the layout, and a note counts them', async (t) => {
+  const bare = `${squares(OVERLAPPING)}v 9 9 0\nv 10 9 0\nv 9 10 0\nf -3 -2 -1\n`;
+  const page = await openPage(t, { open: ['bare.obj', bare] });
+  await choose(page, 'pack');
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal((await metrics(page)).Islands, '2');
+  await page.click('#notes-button');
+  assert.match(await textOf(page, '#islands-notes'), /^1 face has no UVs/);
+  await pack(page);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
 });
 
 test('UVs are exported as they are, bit by bit', async (t) => {
@@ -293,7 +289,7 @@ function twoSets(distance = 2) {
 }
 
 test('each UV set of a glTF can be looked at', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   await dropAndWait(page, 'sets.glb', await io.writeBinary(twoSets()));
   await choose(page, 'pack');
   assert.equal((await metrics(page)).Overlapping, '4');
@@ -306,7 +302,7 @@ test('each UV set of a glTF can be looked at', async (t) => {
 });
 
 test('vertices that are joined to flatten a glTF are apart in its UVs', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   await dropAndWait(page, 'joined.glb', await io.writeBinary(twoSets(1)));
   assert.ok(await page.isEnabled('#mode-flatten'), 'the squares have an edge in common');
   await choose(page, 'pack');
@@ -320,7 +316,7 @@ test('vertices that are joined to flatten a glTF are apart in its UVs', async (t
 });
 
 test('all options fit into the dock of a low window', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   await dropAndWait(page, 'sets.glb', await io.writeBinary(twoSets()));
   await choose(page, 'pack');
   for (const isPacked of [false, true]) {

@@ -8,7 +8,7 @@ import { drawn, openPage, settled } from './page.mjs';
 import { takePage } from './pages.mjs';
 
 /** In bytes, compressed. What is not needed for a first look is loaded when it is. */
-const MOST = 525_000;
+const MOST = 500_000;
 /** Loaded when they are asked for. */
 const ON_REQUEST = ['draco', 'meshopt', 'samples/', 'pack-', 'bake', 'zip-'];
 

@@ -64,7 +64,7 @@ test('every sample can be chosen and is unwrapped', async (t) => {
 });
 
 test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mesh', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
+  const page = await openPage(t, { mode: 'flatten', settles: false });
   const mesh = grid(8);
   await dropAndWait(page, 'waves.obj', mesh);
   assert.equal(await textOf(page, '#source'), 'waves.obj');
@@ -107,7 +107,7 @@ test('a dropped mesh is flattened, t moves by keyboard, the export keeps the mes
 });
 
 test('a dropped PLY comes back as PLY with its colours, an STL as OBJ', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
+  const page = await openPage(t, { mode: 'flatten', settles: false });
   const triangles = trianglesOf(grid(4));
   const vertices = triangles.flat().map((xyz, v) => [...xyz, v]);
   // Three vertices of its own for one triangle: a disk.

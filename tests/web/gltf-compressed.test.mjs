@@ -62,7 +62,7 @@ function listen(page) {
 
 for (const [name, [compression, make]] of Object.entries(FILES))
   test(`${name} gets an atlas, and is written uncompressed`, async (t) => {
-    const page = await openPage(t);
+    const page = await openPage(t, { settles: false });
     const file = await make();
     const before = await codecIo.readBinary(file);
     await dropAndWait(page, name, file);
@@ -90,7 +90,7 @@ for (const [name, [compression, make]] of Object.entries(FILES))
   });
 
 test('the newer name of meshopt, and buffers that are files of their own', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const file = await withMeshopt(quantize(robot()));
   const before = await codecIo.readBinary(file);
   const { json, bin } = partsOf(file);
@@ -130,7 +130,7 @@ function changed(file, change) {
 }
 
 test('damaged data is told in a sentence, and the page goes on', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const draco = await FILES['edgebreaker.glb'][1]();
   const meshopt = await FILES['meshopt.glb'][1]();
   const ofDraco = ({ json }) => json.meshes[0].primitives[0].extensions.KHR_draco_mesh_compression;

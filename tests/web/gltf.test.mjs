@@ -91,7 +91,7 @@ test('primitives of a GLB that have uv keep them', async (t) => {
 });
 
 test('a GLB gets an atlas and keeps the rest', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const document = scene(1);
   await dropAndWait(page, 'scene.glb', await io.writeBinary(document));
   assert.match(await textOf(page, '#mesh-info'), /^688 triangles$/);
@@ -100,7 +100,7 @@ test('a GLB gets an atlas and keeps the rest', async (t) => {
 });
 
 test('uv that textures use stay as they are unless the user wants them replaced', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const document = scene(1);
   await dropAndWait(page, 'plain.glb', await io.writeBinary(document));
   for (const [i, primitive] of primitivesOf(document).entries()) {
@@ -140,6 +140,11 @@ test('uv that textures use stay as they are unless the user wants them replaced'
       .evaluate((text) => text.scrollHeight <= text.clientHeight);
     assert.ok(isWhole, `what was exported is read in full at ${width}`);
   }
+  // On a phone the choice is beside the export that it is about.
+  const [choice, button] = await Promise.all(
+    ['#texcoord', '#export'].map((id) => page.locator(id).boundingBox()),
+  );
+  assert.ok(Math.abs(choice.y - button.y) < 2 && choice.x + choice.width <= button.x);
   // It stays chosen for this file.
   await page.focus('#stretch');
   await page.keyboard.press('ArrowLeft');
@@ -156,7 +161,7 @@ test('uv that textures use stay as they are unless the user wants them replaced'
 });
 
 test('each texcoord set of a glTF can be replaced, and a new one added', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   let document = scene(1);
   for (const material of document.getRoot().listMaterials()) material.setBaseColorTexture(null);
   await dropAndWait(page, 'none.glb', await io.writeBinary(document));
@@ -196,7 +201,7 @@ test('each texcoord set of a glTF can be replaced, and a new one added', async (
 });
 
 test('UV islands are those of the texcoord set that is chosen, after a reload, too', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const plain = scene(1);
   for (const material of plain.getRoot().listMaterials()) material.setBaseColorTexture(null);
   await dropAndWait(page, 'none.glb', await io.writeBinary(plain));
@@ -233,7 +238,7 @@ test('UV islands are those of the texcoord set that is chosen, after a reload, t
 });
 
 test('a glTF of several files, dropped together or not', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const document = scene();
   document.getRoot().listTextures()[0].setURI('a picture.png');
   const { json, resources } = await io.writeJSON(document);
@@ -247,7 +252,7 @@ test('a glTF of several files, dropped together or not', async (t) => {
 });
 
 test('a disk is flattened into the unit square of its texture', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
+  const page = await openPage(t, { mode: 'flatten', settles: false });
   const { positions, faces } = torus(24, 12);
   const document = emptyDocument();
   const patch = faces.filter((face) => face.every((v) => v % 24 < 8 && v < 120));

@@ -25,7 +25,7 @@ import {
   reread,
 } from '../support/gltf.mjs';
 import { richGltf } from '../support/rich-gltf.mjs';
-import { sphere, torus } from '../support/surfaces.mjs';
+import { objText, sphere, torus, voxels } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
 import { dropFiles, exportMesh, openPage, settled, textOf } from './page.mjs';
 
@@ -236,4 +236,35 @@ test('GLBs share one atlas, and the export is one GLB with everything else in th
   assert.deepEqual(namesOf(root.listMaterials()), namesOf(expected.getRoot().listMaterials()));
   assert.deepEqual(namesOf(root.listAnimations()), ['hop']);
   assert.equal(root.listTextures().length, 1);
+});
+
+test('an OBJ beside a GLB is a mesh of the joined GLB, which keeps the rest of the GLB', async (t) => {
+  const page = await openPage(t);
+  const cube = objText(voxels([[[true]]], 1));
+  await dropFiles(page, { 'cube.obj': cube, 'ring.glb': await io.writeBinary(ring(['red'])) });
+  await page.getByRole('button', { name: 'One atlas' }).waitFor();
+  assert.match(
+    await textOf(page, '#notice'),
+    /cube\.obj is open\. In one atlas, cube\.obj keeps its shape only\./,
+  );
+  await page.getByRole('button', { name: 'One atlas' }).click();
+  await page.waitForFunction(
+    () => document.querySelector('#source').textContent === 'cube-and-1-more.glb',
+  );
+  await settled(page);
+  assert.equal(await textOf(page, '#alert'), '');
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  const document = await io.readBinary(readFileSync((await exportMesh(page)).path));
+  await assertValidFile(document);
+  const root = document.getRoot();
+  const [first, second] = root.getDefaultScene().listChildren();
+  assert.deepEqual(namesOf([first, second]), ['cube', 'ring']);
+  assert.ok(second.getTranslation()[0] > 0, 'beside each other');
+  assert.ok(namesOf(root.listMaterials()).includes('lacquer'));
+  assert.equal(root.listTextures().length, 1);
+  const shapes = primitivesOf(document);
+  assert.equal(shapes.length, 2);
+  const [box] = first.listChildren()[0].getMesh().listPrimitives();
+  assert.equal(box.getIndices().getCount(), 36);
+  assert.deepEqual(flaws(atlasOf(shapes, { texcoord: 1 })), []);
 });

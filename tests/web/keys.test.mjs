@@ -4,9 +4,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { grid } from '../support/small-meshes.mjs';
 import { objText, sphere } from '../support/surfaces.mjs';
-import { drawn, drop, openPage, settled, textOf } from './page.mjs';
+import { choose, drawn, drop, dropAndWait, openPage, settled, textOf } from './page.mjs';
 import { SMALL } from './seam-page.mjs';
 import { isOpen, keysOf } from './sheet-keys.mjs';
+import { squares } from './squares.mjs';
+import { changed, layoutReady } from './uvs-page.mjs';
 
 const BALL = ['ball.obj', objText(sphere(6))];
 
@@ -130,8 +132,44 @@ test('Bounds: each key does what the sheet says', async (t) => {
     // Painted and erased in bounds.test.mjs.
     Alt: async () => undefined,
   };
+  await page.locator('#bound-paint').waitFor();
   await page.focus('#mesh-canvas');
   assert.deepEqual(keysOf('Bounds').sort(), Object.keys(effects).sort());
+  for (const effect of Object.values(effects)) await effect();
+});
+
+test('Densities: each key does what the sheet says', async (t) => {
+  const page = await openPage(t, { ...SMALL, open: CUBE });
+  const says = async (pattern) => assert.match(await textOf(page, '#run-text'), pattern);
+  await page.locator('#density-tools:not([hidden])').waitFor({ state: 'attached' });
+  const effects = {
+    D: async () => {
+      await page.keyboard.press('d');
+      assert.equal(await page.getAttribute('#density-paint', 'aria-pressed'), 'true');
+      // Once the brush is there.
+      await page.waitForFunction(() => {
+        const canvas = document.querySelector('#mesh-canvas');
+        const { left, top, width, height } = canvas.getBoundingClientRect();
+        const [clientX, clientY] = [left + width / 2, top + height / 2];
+        const how = { clientX, clientY, pointerType: 'mouse', isPrimary: true, bubbles: true };
+        canvas.dispatchEvent(new PointerEvent('pointermove', how));
+        return /island/.test(document.querySelector('#density-hint').textContent.slice(2));
+      });
+    },
+    Enter: async () => {
+      await page.keyboard.press('Enter');
+      await settled(page);
+      await says(/^Painted density 2 on/);
+    },
+    Space: async () => {
+      await page.keyboard.press('Space');
+      await says(/^No densities changed$/);
+    },
+    // Painted and erased in density-painting.test.mjs.
+    Alt: async () => undefined,
+  };
+  await page.focus('#mesh-canvas');
+  assert.deepEqual(keysOf('Densities').sort(), Object.keys(effects).sort());
   for (const effect of Object.values(effects)) await effect();
 });
 
@@ -229,6 +267,14 @@ test('Islands: each key does what the sheet says', async (t) => {
       await press('e');
       assert.match(await textOf(page, '#run-text'), /^Click an edge/);
       await press('Escape');
+    },
+    F: async () => {
+      await dropAndWait(page, 'square.obj', squares([[0.2, 0.2, 0.5, 0.5]]));
+      await choose(page, 'pack');
+      await layoutReady(page);
+      await press('a');
+      await press('f');
+      await changed(page, 'Flipped island 0');
     },
   };
   await page.locator('#select-charts').waitFor();

@@ -16,7 +16,7 @@ export async function atlas(page) {
 /** Where the layout shows a point of the unit square, once it is fitted: an atlas leaves room for a bar. */
 export async function pixelOf(page, [u, v]) {
   const { x, y, width, height } = await page.locator('#layout-canvas').boundingBox();
-  const isAtlas = (await page.getAttribute('body', 'data-mode')) === 'unwrap';
+  const isAtlas = (await page.getAttribute('body', 'data-mode')) !== 'flatten';
   const margin = isAtlas ? 8 : Math.min(28, width / 14, height / 14);
   const above = await page
     .locator('#layout-canvas')

@@ -149,14 +149,14 @@ test('who prefers islands gets them for the next mesh, too', async (t) => {
 });
 
 test('a glTF and its image are dropped together', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const { json, resources } = await io.writeJSON(document(textured('four', fourColors())));
   await dropAndWait(page, 'square.gltf', JSON.stringify(json), resources);
   await assertFourColors(page);
 });
 
 test('materials have textures of their own, of any size, or a colour', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const bytes = await io.writeBinary(
     document(
       textured('red', oneColor(RED, 5)),
@@ -177,7 +177,7 @@ test('materials have textures of their own, of any size, or a colour', async (t)
 });
 
 test('what is cut out of a picture is not seen', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const half = madePng(16, 16, (x) => [...(x < 8 ? RED : GREEN), x < 8 ? 255 : 100]);
   const masked = (document, material) => {
     textured('half', half)(document, material);
@@ -206,7 +206,7 @@ function paintedObj() {
 }
 
 test('an OBJ of polygons has the materials of its MTL, once all files are there', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const mtl = 'newmtl lower\nKd 0 0 0\nmap_Kd textures\\Four.png\nnewmtl upper\nmap_Kd four.png\n';
   const files = { 'square.mtl': mtl, 'four.png': fourColors() };
   await dropAndWait(page, 'square.obj', paintedObj(), files);
@@ -225,7 +225,7 @@ test('an OBJ of polygons has the materials of its MTL, once all files are there'
 });
 
 test('an image that no browser decodes is named', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const bytes = await io.writeBinary(document(textured('torn', Buffer.from('no picture'))));
   await dropAndWait(page, 'torn.glb', bytes);
   await page.waitForFunction(() => document.querySelector('#notice').textContent !== '');
@@ -237,7 +237,7 @@ test('an image that no browser decodes is named', async (t) => {
 });
 
 test('colours of the vertices of a PLY are shown', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const { positions, quads } = square();
   const ply = [
     'ply\nformat ascii 1.0',

@@ -53,7 +53,7 @@ test('every sample fills its pane; the head stands upright', async (t) => {
 });
 
 test('keys and a button look from front, right, top and the other side; Reset leads back', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   // 1 wide, 2 high, 6 deep.
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1} ${i & 2} ${1.5 * (i & 4)}`);
   const faces = CUBE.split('\n').filter((line) => line.startsWith('f'));
@@ -155,7 +155,7 @@ test('a picture is drawn once for each change, and not at all while nothing chan
 });
 
 test('a mesh far from the origin, with a stray vertex, fills its pane', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const corners = [
     [0, 0],
     [1, 0],

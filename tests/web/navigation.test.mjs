@@ -87,7 +87,7 @@ test('the middle button rotates and with Shift moves, and digits look from all s
 });
 
 test('without perspective, what is far away is as large as what is near', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   await dropAndWait(page, 'two.obj', NEAR_AND_FAR);
   await page.focus(CANVAS);
   await page.keyboard.press('1');
@@ -105,7 +105,7 @@ test('without perspective, what is far away is as large as what is near', async 
 });
 
 test('the wheel brings what is under the pointer as near as one likes', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   // A small ball on the corner of a large floor.
   const ball = objText(sphere(8)).replace(/^v (\S+) (\S+) (\S+)/gm, (_, ...at) => {
     const [x, y, z] = at.slice(0, 3).map((value) => 0.005 * Number(value));

@@ -24,7 +24,7 @@ const shows = (page, name) =>
   );
 
 test('a mesh is found among what comes with it, in any order, in a folder, pasted', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const parts = [
     ['x.mtl', 'newmtl red\n'],
     ['x.png', 'no picture'],

@@ -10,10 +10,14 @@ import { isOfRest, takePage } from './pages.mjs';
 /**
  * Opens the page; `t.after` checks that it logged no error except those that match `expected`.
  * `prepare` is called with the page before it loads. `mode: 'flatten'` chooses that mode and `open:
- * [name, content]` drops a file, both in place of what a first visit shows. `headers` are those of
+ * [name, content]` drops a file, both in place of what a first visit shows. `settles: false` does not
+ * wait for that: it gives way to a mesh that the test opens at once. `headers` are those of
  * serveFolder, other options those of takePage and newContext.
  */
-export async function openPage(t, { expected, mode, open, webgl = true, ...options } = {}) {
+export async function openPage(
+  t,
+  { expected, mode, open, settles = true, webgl = true, ...options } = {},
+) {
   const { page, url, end } = await takePage({ webgl, ...options });
   const problems = [];
   const onConsole = (message) => {
@@ -34,7 +38,7 @@ export async function openPage(t, { expected, mode, open, webgl = true, ...optio
   // The page is still starting: the sample gives way before it is laid out.
   if (mode) await page.evaluate((mode) => document.querySelector(`#mode-${mode}`).click(), mode);
   if (open) await dropAndWait(page, ...open);
-  await settled(page);
+  if (settles) await settled(page);
   return page;
 }
 

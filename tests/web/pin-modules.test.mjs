@@ -43,8 +43,8 @@ test('the nearest vertex within reach is found, but not in a hidden chart', asyn
 });
 
 test('a chart by itself has its own vertices, corners and outline', async () => {
-  const { chartMesh } = await load('arrange/chart-mesh');
-  const mesh = chartMesh(ATLAS, POSITIONS, 1);
+  const { chartMeshes } = await load('arrange/chart-mesh');
+  const [mesh] = chartMeshes(ATLAS, POSITIONS, [1]);
   assert.deepEqual([...mesh.vertices], [4, 5, 6, 7]);
   assert.deepEqual([...mesh.corners], [6, 7, 8, 9, 10, 11]);
   assert.deepEqual([...mesh.indices], [0, 1, 2, 0, 2, 3]);
@@ -57,8 +57,8 @@ test('a chart by itself has its own vertices, corners and outline', async () => 
 });
 
 test('a bent chart moves by its weights, and unpacked it has the area of its surface', async () => {
-  const { bent, chartMesh } = await load('arrange/chart-mesh');
-  const mesh = chartMesh(ATLAS, POSITIONS, 1);
+  const { bent, chartMeshes } = await load('arrange/chart-mesh');
+  const [mesh] = chartMeshes(ATLAS, POSITIONS, [1]);
   // The pin turns as it goes: i times as far for the second vertex, twice as far for the third.
   const weights = Float64Array.of(0, 0, 0, 1, 2, 0, 0, 0);
   const { uv, unpacked } = bent(ATLAS, mesh, weights, [0.01, 0.02]);
@@ -77,8 +77,8 @@ test('a bent chart moves by its weights, and unpacked it has the area of its sur
 });
 
 test('a chart that was moved meanwhile is bent where it is now', async () => {
-  const { bent, chartMesh } = await load('arrange/chart-mesh');
-  const mesh = chartMesh(ATLAS, POSITIONS, 1);
+  const { bent, chartMeshes } = await load('arrange/chart-mesh');
+  const [mesh] = chartMeshes(ATLAS, POSITIONS, [1]);
   const weights = Float64Array.of(0, 0, 1, 0, 1, 0, 0, 0);
   const moved = { ...ATLAS, uv: ATLAS.uv.map((x, i) => (i >= 8 ? x + 0.25 : x)) };
   const [still, now] = [ATLAS, moved].map((atlas) => bent(atlas, mesh, weights, [0.1, 0]).uv);
@@ -88,9 +88,9 @@ test('a chart that was moved meanwhile is bent where it is now', async () => {
 });
 
 test('what the shader gets for corners is what the outline gets', async () => {
-  const { chartMesh } = await load('arrange/chart-mesh');
+  const { chartMeshes } = await load('arrange/chart-mesh');
   const { bentOutline, cornerWeights } = await load('view/bending');
-  const mesh = chartMesh(ATLAS, POSITIONS, 1);
+  const [mesh] = chartMeshes(ATLAS, POSITIONS, [1]);
   const bending = { chart: 1, mesh, weights: Float64Array.of(1, 0, 0, 1, 2, 0, 0.5, 0.25) };
   const corners = new Float32Array(24).fill(9);
   cornerWeights(bending, corners);

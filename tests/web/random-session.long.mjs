@@ -71,7 +71,9 @@ function actions(page, next) {
   };
   const use = async () => {
     const controls = page.locator(CONTROLS);
-    const control = controls.nth(Math.floor(next() * (await controls.count())));
+    // This one, even if others come or go meanwhile.
+    const nth = Math.floor(next() * (await controls.count()));
+    const control = await controls.nth(nth).elementHandle({ timeout: SOON });
     const values = await control.evaluate((element) =>
       [...(element.options ?? [])].filter(({ disabled }) => !disabled).map(({ value }) => value),
     );
@@ -113,7 +115,7 @@ for (let seed = 1; seed <= SESSIONS; ++seed)
     let judged = 0;
     for (let i = 1; i <= ACTIONS; ++i) {
       await act().catch((error) => {
-        if (error.name !== 'TimeoutError') throw error;
+        if (error.name !== 'TimeoutError' && !/not attached/.test(error.message)) throw error;
       });
       if (i % 10 === 0 && (await assertExport(page))) judged += 1;
     }

@@ -4,82 +4,59 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { loadModule } from './modules.mjs';
 
-const { RunClock, usualSearch } = await loadModule('controls/run-clock');
+const { RunClock } = await loadModule('controls/run-clock');
 
 /** What a clock says of a run of so many seconds: work as abflat reports it, at shares of the time. */
-function follow(search, seconds, reports) {
+function follow(expected, seconds, reports) {
   let now = 0;
-  const clock = new RunClock(search, () => now);
+  const clock = new RunClock(expected, () => now);
   const said = reports.map(([time, work]) => {
     now = 1000 * seconds * time;
     return { time, ...clock.at(work) };
   });
-  return { said, clock };
+  now = 1000 * seconds;
+  return { said, pace: clock.pace() };
 }
 
-/** The first seams take a fifth of the time, others nearly all the rest. */
-const SEARCHED = [
-  [0.01, 0.05],
-  [0.05, 0.25],
-  [0.1, 0.4],
-  [0.15, 0.5],
-  [0.19, 0.76],
-  ...[0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9].map((time) => [time, 0.76]),
-  [0.95, 0.88],
-  [0.99, 0.97],
+/** The work goes on slowly at first, and stands still for a while. */
+const UNEVEN = [
+  [0.1, 0.02],
+  [0.3, 0.1],
+  [0.5, 0.6],
+  [0.7, 0.6],
+  [0.8, 0.7],
+  [0.95, 0.99],
 ];
 
-/** The first seams take longer. */
-const LONG = [
-  [0.02, 0.05],
-  [0.1, 0.2],
-  [0.2, 0.4],
-  [0.3, 0.5],
-  [0.4, 0.76],
-  ...[0.5, 0.6, 0.7, 0.8, 0.9].map((time) => [time, 0.76]),
-  [0.95, 0.88],
-  [0.99, 0.97],
-];
-
-test('a bar shows the time of a run, and what is left, though the work stands still', () => {
-  const { said } = follow(usualSearch(6000), 40, SEARCHED);
-  for (const { time, passed, left } of said) {
-    assert.ok(Math.abs(passed - time) < 0.15, `${passed} at ${time}`);
-    if (time >= 0.19) assert.ok(Math.abs(left - 40 * (1 - time)) <= 8, `${left} s at ${time}`);
-  }
-  for (let i = 1; i < said.length; ++i) assert.ok(said[i].passed >= said[i - 1].passed);
-});
-
-test('the next run on a mesh knows how long this one took', () => {
-  const { said, clock } = follow(usualSearch(50_000), 30, LONG);
-  assert.ok(
-    said.slice(0, -2).every(({ left }) => left === null),
-    'nobody knows yet',
-  );
-  assert.ok(clock.search.isSure);
-  for (const { time, passed } of follow(clock.search, 30, LONG).said)
-    assert.ok(Math.abs(passed - time) < 0.2, `${passed} at ${time}`);
-});
-
-test('nothing is said of the end at the beginning, nor once it should have come', () => {
-  const late = [
-    [0.01, 0.05],
-    [0.05, 0.76],
-    [0.6, 0.76],
-  ];
-  const { said } = follow(usualSearch(6000), 60, late);
-  assert.equal(said[0].left, null);
-  assert.ok(said[1].left > 0);
-  assert.equal(said[2].left, null);
-  const even = follow(null, 10, [
+test('a bar shows the work of a first run, and what is left', () => {
+  const { said } = follow(undefined, 10, [
     [0.1, 0.1],
-    [0.5, 0.5],
-  ]).said;
+    [0.3, 0.25],
+    [0.4, 0.2],
+    [0.8, 0.8],
+  ]);
   assert.deepEqual(
-    even.map(({ passed, left }) => [passed, left]),
+    said.map(({ passed, left }) => [passed, left]),
     [
       [0.1, null],
-      [0.5, 5],
+      [0.25, 9],
+      [0.25, 10],
+      [0.8, 2],
     ],
   );
+});
+
+test('the next run knows how this one went', () => {
+  const { pace } = follow(undefined, 30, UNEVEN);
+  assert.equal(pace(0), 0);
+  assert.equal(pace(1), 1);
+  for (const { time, passed, left } of follow(pace, 60, UNEVEN).said) {
+    if (time !== 0.7) assert.ok(Math.abs(passed - time) < 1e-9, `${passed} at ${time}`);
+    if (time > 0.1) assert.ok(Math.abs(left - 60 * (1 - time)) <= 26, `${left} s at ${time}`);
+  }
+});
+
+test('nothing is learnt from a run that did not come to its end', () => {
+  assert.equal(follow(undefined, 10, UNEVEN.slice(0, 4)).pace, null);
+  assert.equal(follow(undefined, 10, []).pace, null);
 });

@@ -4,9 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import axe from 'axe-core';
-import { addMesh, emptyDocument, io, primitiveOf } from '../support/gltf.mjs';
 import { CUBE, grid } from '../support/small-meshes.mjs';
-import { sphere } from '../support/surfaces.mjs';
 import { loadModule } from './modules.mjs';
 import { dropFiles, exportMesh, metrics, openPage, openSample, settled, textOf } from './page.mjs';
 
@@ -113,11 +111,10 @@ test('a mesh that cannot be read leaves the tab that is shown', async (t) => {
   assert.equal(await textOf(page, '#source'), 'one.obj');
 });
 
-test('meshes of different formats share one atlas, and the export has an object for each', async (t) => {
-  const document = emptyDocument();
-  addMesh(document, 'ball', primitiveOf(document, sphere(5)));
+test('meshes of other formats share one atlas, and the export has an object for each', async (t) => {
   const page = await openPage(t);
-  await dropFiles(page, { 'a cube.obj': CUBE, 'ball.glb': await io.writeBinary(document) });
+  const off = 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n';
+  await dropFiles(page, { 'a cube.obj': CUBE, 'tile.off': off });
   await shows(page, 'a cube.obj');
   await page.getByRole('button', { name: 'One atlas' }).click();
   await shows(page, 'a cube-and-1-more.obj');
@@ -125,8 +122,8 @@ test('meshes of different formats share one atlas, and the export has an object 
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.match(await textOf(page, '#mesh-info'), /^\d+ polygons/, 'quads stay quads');
   const text = readFileSync((await exportMesh(page)).path, 'utf8');
-  assert.deepEqual(text.match(/^o .*$/gm), ['o a cube', 'o ball']);
-  assert.equal(text.match(/^f \S+ \S+ \S+ \S+$/gm).length, 6);
+  assert.deepEqual(text.match(/^o .*$/gm), ['o a cube', 'o tile']);
+  assert.equal(text.match(/^f \S+ \S+ \S+ \S+$/gm).length, 7);
 });
 
 test('one file that cannot be read is named, and the mesh that is open stays', async (t) => {
@@ -137,6 +134,28 @@ test('one file that cannot be read is named, and the mesh that is open stays', a
   await page.waitForFunction(() => document.querySelector('#alert').textContent !== '');
   assert.match(await textOf(page, '#alert'), /bad\.obj/);
   assert.equal(await textOf(page, '#source'), 'one.obj');
+});
+
+test('meshes that would lie in each other go side by side in an OBJ; others keep their places', () => {
+  const box = (x, y) => ({
+    name: 'box',
+    positions: Float64Array.of(x - 1, y, -1, x + 1, y, -1, x + 1, y + 2, 1, x - 1, y + 2, 1),
+    indices: Uint32Array.of(0, 1, 2, 0, 2, 3),
+    faces: Uint32Array.of(0, 0),
+  });
+  const places = (...boxes) =>
+    joinedObj(boxes)
+      .join('')
+      .match(/^v .*$/gm)
+      .map((line) => line.split(' ').slice(1).map(Number))
+      .filter((_, i) => i % 4 === 0);
+  assert.deepEqual(
+    places(box(0, 0), box(0.5, 0), box(0, 0.5)).map(([x]) => x.toFixed(6)),
+    ['-1.000000', '1.200000', '3.400000'],
+    'a gap, but no more than that',
+  );
+  assert.deepEqual(places(box(0, 0), box(5, 0))[1], [4, 0, -1], 'apart already');
+  assert.deepEqual(places(box(0, 0), box(0, 1.5))[1], [-1, 1.5, -1], 'one stands on the other');
 });
 
 test('joined faces keep their outlines, and odd ones become triangles', () => {

@@ -247,7 +247,7 @@ test('what was repaired is said in one line each', async (t) => {
 });
 
 test('the exported OBJ is that of the command line program', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   const path = tempFolder(t);
   for (const [name, text] of [
     ['torus.obj', TORUS],

@@ -35,6 +35,7 @@ function randomSettings(next) {
       margin: pick(['auto', 0, 256]),
       rotate: pick(['auto', 'free', 'quarter', 'none']),
       islandSizes: pick(['keep', 'even']),
+      tiles: pick(['one', 'file', 'object', 'material']),
     };
   return {
     mode: 'unwrap',

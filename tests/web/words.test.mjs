@@ -11,6 +11,8 @@ const SOURCES = join(ROOT, 'web/src');
 const FOLDER = 'words/';
 
 const FILES = {
+  'files/baked-gltf-obj.ts': 'keywords of OBJ and MTL',
+  'files/baked-obj-glb.ts': 'keywords of MTL',
   'files/mtl.ts': 'keywords of MTL',
   'files/svg-text.ts': 'writes SVG',
 };

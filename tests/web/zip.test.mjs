@@ -48,7 +48,7 @@ test('a mesh opens with its materials from the folders of an archive', async (t)
 });
 
 test('archives that cannot be opened are refused in a sentence, and the mesh stays', async (t) => {
-  const page = await openPage(t);
+  const page = await openPage(t, { settles: false });
   await dropAndWait(page, 'cube.obj', CUBE);
   const zip = zipSync({ 'b.obj': strToU8(CUBE) });
   const setFlag = (bytes, at) => bytes.writeUInt16LE(bytes.readUInt16LE(at) | 1, at);

@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 // clang-format off
-EM_JS(void, abflatReportProgress, (const char* stage, int newtonStep, double residual, double fraction), {
-  Module["onProgress"](stage, newtonStep, residual, fraction);
+EM_JS(int, abflatReportProgress, (const char* stage, int newtonStep, double residual, double fraction), {
+  return Module["onProgress"](stage, newtonStep, residual, fraction);
 });
 
 // clang-format on
@@ -16,9 +16,8 @@ EM_JS(void, abflatReportProgress, (const char* stage, int newtonStep, double res
 namespace abflat::bindings {
 
 bool tellProgress(const Progress& progress) {
-  abflatReportProgress(nameOf(progress), progress.newtonStep, progress.constraintResidual,
-                       progress.fraction);
-  return true;
+  return abflatReportProgress(nameOf(progress), progress.newtonStep, progress.constraintResidual,
+                              progress.fraction) != 0;
 }
 
 void outOfMemory() {

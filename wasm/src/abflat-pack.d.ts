@@ -7,6 +7,9 @@ export interface PackModule extends InputModule {
   _abflatNewJob(): number;
   _abflatFreeJob(job: number): void;
   _abflatSetPackOption(job: number, index: number, value: number): number;
+  _abflatTriangleUv(job: number, size: number): number;
+  _abflatPackedIslands(job: number, size: number): number;
+  _abflatIslandTiles(job: number, size: number): number;
   _abflatPack(job: number, files: number, roundsForGltf: boolean): number;
 }
 

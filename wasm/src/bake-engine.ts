@@ -2,7 +2,8 @@
 
 import type { BakeModule } from './abflat-bake.js';
 import { AbflatError } from './base/errors.js';
-import type { Heap } from './heap.js';
+import { Heap } from './heap.js';
+import type { Instance } from './instantiate.js';
 import type { Answer, BakeRequest, BakeTexture, Request } from './messages/protocol.js';
 import { Runner } from './runner.js';
 import type { BakedImage } from './types/index.js';
@@ -11,6 +12,10 @@ import type { BakedImage } from './types/index.js';
 const NO_TEXTURE = 2 ** 32 - 1;
 
 export class BakeEngine extends Runner<BakeModule, Heap> {
+  static of({ native, memory, hooks }: Instance<BakeModule>, maxMemory: number): BakeEngine {
+    return new BakeEngine(native, new Heap(memory, maxMemory), hooks);
+  }
+
   protected readonly task = 'image';
   protected readonly advice = 'Use smaller images, a smaller bakeResolution';
 

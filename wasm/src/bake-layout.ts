@@ -9,7 +9,7 @@ import { checkSets } from './gltf/groups.js';
 import { checkTriangles, setTexcoords } from './gltf/texcoords.js';
 import { freeBakedTexcoord } from './gltf/texture-sets.js';
 import { checkAbflat, checkFunction, checkSignal, knownOptions } from './messages/validate.js';
-import type { Abflat, AbortSignalLike, Layout } from './types/index.js';
+import type { AbortSignalLike, AnyAbflat, Layout } from './types/index.js';
 
 export interface BakeLayoutOptions extends BakeDocumentOptions {
   /**
@@ -46,7 +46,7 @@ const KEYS = [
  * fails, the document stays as it was.
  */
 export async function bakeLayout(
-  abflat: Pick<Abflat, 'bake'>,
+  abflat: AnyAbflat<'bake'>,
   { document, parts }: Pick<DocumentMesh, 'document' | 'parts'>,
   { uv, indices }: Pick<Layout<unknown>, 'uv' | 'indices'>,
   options: BakeLayoutOptions = {},

@@ -1,32 +1,28 @@
 import { WRITTEN_FORMATS } from './base/generated.js';
-import type { CallSettings } from './client.js';
-import { takeMesh } from './messages/input.js';
+import type { Call } from './call.js';
+import { type Taking, takeMesh } from './messages/input.js';
 import type { LayoutRequest, Request } from './messages/protocol.js';
 import { checkBoolean, checkFunction, checkSignal } from './messages/validate.js';
 import type { FlattenOptions, MeshInput, PackOptions, UnwrapOptions } from './types/index.js';
 
-/** A call that returns a layout: what it asks, and how it is to be made. */
-export interface LayoutCall {
-  request: Request;
-  settings: CallSettings;
-}
-
 /**
- * Takes what the caller gave, at once, unless it is refused or aborted. `complete` adds the rest of the request, whose buffers are `buffers`.
+ * Takes what the caller gave, at once, unless it is refused or aborted. `complete` adds the rest of
+ * the request, whose buffers are `buffers`.
  */
 export function layoutCall(
+  taking: Taking,
   mesh: MeshInput,
   options: FlattenOptions | UnwrapOptions | PackOptions,
   complete: (common: LayoutRequest) => Request,
   buffers: ArrayBuffer[] = [],
-): LayoutCall {
+): Call {
   const { roundsForGltf, transfer, signal, onProgress } = options;
   for (const name of WRITTEN_FORMATS) checkBoolean(name, options[name]);
   checkBoolean('roundsForGltf', roundsForGltf);
   checkFunction('onProgress', onProgress);
   checkSignal(signal);
   if (signal?.aborted) throw signal.reason;
-  const owned = takeMesh(mesh, transfer);
+  const owned = takeMesh(mesh, transfer, taking);
   const common: LayoutRequest = {
     mesh: owned.mesh,
     files: WRITTEN_FORMATS.filter((name) => options[name]),

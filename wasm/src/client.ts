@@ -3,12 +3,17 @@
 
 import type { ModuleName } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
+import type { Caller, CallSettings } from './call.js';
 import { ownFields } from './messages/fields.js';
+import { take } from './messages/input.js';
 import type { Answer, AnyProgress, FromWorker, Request } from './messages/protocol.js';
+import { onAbort } from './on-abort.js';
 import type { Address, Platform, WorkerHandle } from './platform.js';
+import { terminated } from './terminated.js';
 import type { AbortSignalLike } from './types/index.js';
 
-const terminated = () => new DOMException('terminate() was called.', 'AbortError');
+/** How long a worker may take to notice that its call was cancelled, in milliseconds. */
+const PATIENCE = 200;
 
 export interface ClientSettings {
   module: WebAssembly.Module;
@@ -17,14 +22,7 @@ export interface ClientSettings {
   workerUrl?: Address;
 }
 
-export interface CallSettings {
-  transfer?: ArrayBuffer[];
-  signal?: AbortSignalLike;
-  /** A method, for its looser type check: the caller knows which progress its request reports. */
-  onProgress?(progress: AnyProgress): unknown;
-}
-
-interface Call {
+interface Waiting {
   request: Request;
   transfer: ArrayBuffer[];
   onProgress?: (progress: AnyProgress) => unknown;
@@ -32,12 +30,27 @@ interface Call {
   reject(error: unknown): void;
 }
 
-export class Client {
+const sharedNumber = () =>
+  typeof SharedArrayBuffer === 'undefined' ? undefined : new Int32Array(new SharedArrayBuffer(4));
+
+/** What calls are given to. */
+export interface Lane extends Caller {
+  call<T extends Answer>(request: Request, settings?: CallSettings): Promise<T>;
+  terminate(): void;
+}
+
+export class Client implements Lane {
+  readonly take = take;
   readonly #platform: Platform;
   readonly #settings: ClientSettings;
-  readonly #waiting: Call[] = [];
-  #running: Call | undefined;
+  readonly #waiting: Waiting[] = [];
+  #running: Waiting | undefined;
   #worker: WorkerHandle | undefined;
+  /** Where the worker reads the number of the call to stop. */
+  readonly #stopped = sharedNumber();
+  #calls = 0;
+  /** Set while the worker is to end a cancelled call. */
+  #patience: ReturnType<typeof setTimeout> | undefined;
   #isTerminated = false;
 
   constructor(platform: Platform, settings: ClientSettings) {
@@ -45,7 +58,6 @@ export class Client {
     this.#settings = settings;
   }
 
-  /** Throws if a call would be in vain, before its buffers are taken. */
   checkUsable(signal?: AbortSignalLike): void {
     if (this.#isTerminated) throw terminated();
     if (signal?.aborted) throw signal.reason;
@@ -59,17 +71,17 @@ export class Client {
       const settled =
         <V>(settle: (value: V) => void) =>
         (value: V) => {
-          signal?.removeEventListener('abort', cancel);
+          stopListening();
           settle(value);
         };
-      const call: Call = {
+      const call: Waiting = {
         request,
         transfer,
         onProgress,
         resolve: settled(resolve),
         reject: settled(reject),
       };
-      signal?.addEventListener('abort', cancel);
+      const stopListening = onAbort(signal, cancel);
       this.#waiting.push(call);
       this.#next();
     }) as Promise<T>;
@@ -84,7 +96,7 @@ export class Client {
   }
 
   #next(): void {
-    if (this.#running) return;
+    if (this.#running || this.#patience !== undefined) return;
     const call = this.#waiting.shift();
     if (!call) {
       this.#worker?.setBusy(false);
@@ -92,14 +104,21 @@ export class Client {
     }
     this.#running = call;
     try {
-      this.#worker ??= this.#startWorker();
-      this.#worker.setBusy(true);
-      this.#worker.post({ type: 'call', request: call.request }, call.transfer);
+      this.start();
+      const worker = this.#worker as WorkerHandle;
+      worker.setBusy(true);
+      const number = ++this.#calls;
+      worker.post({ type: 'call', request: call.request, number }, call.transfer);
     } catch (error) {
       // A browser may refuse to start a worker, and values that cannot be cloned are refused too.
       this.#dropWorker();
       this.#settle((ended) => ended.reject(error));
     }
+  }
+
+  /** Has a worker ready for the next call. */
+  start(): void {
+    this.#worker ??= this.#startWorker();
   }
 
   #startWorker(): WorkerHandle {
@@ -113,7 +132,7 @@ export class Client {
       name,
       workerUrl,
     );
-    worker.post({ type: 'start', module, maxMemory });
+    worker.post({ type: 'start', module, maxMemory, stopped: this.#stopped });
     return worker;
   }
 
@@ -122,6 +141,7 @@ export class Client {
       this.#report(message.progress);
       return;
     }
+    this.#ended();
     if (message.isSpent) this.#dropWorker();
     this.#settle((call) => {
       if (message.type === 'done') call.resolve(message.answer);
@@ -148,11 +168,11 @@ export class Client {
     this.#settle((call) => call.reject(error));
   }
 
-  #cancel(call: Call, error: unknown): void {
+  #cancel(call: Waiting, error: unknown): void {
     if (call === this.#running) {
-      // A busy worker receives no messages, so ending it is the only way.
-      this.#dropWorker();
-      this.#settle(() => call.reject(error));
+      this.#running = undefined;
+      call.reject(error);
+      this.#stop();
       return;
     }
     const place = this.#waiting.indexOf(call);
@@ -160,16 +180,44 @@ export class Client {
     call.reject(error);
   }
 
-  #settle(end: (call: Call) => void): void {
+  /**
+   * Ends the running call. A busy worker receives no messages: it looks into shared memory now and
+   * then. Where there is none, or it does not look, another worker takes its place.
+   */
+  #stop(): void {
+    const replace = () => {
+      this.#dropWorker();
+      try {
+        this.start();
+      } catch {
+        // The next call starts it, and says what is wrong.
+      }
+      this.#next();
+    };
+    if (!this.#stopped) {
+      replace();
+      return;
+    }
+    Atomics.store(this.#stopped, 0, this.#calls);
+    this.#patience = setTimeout(replace, PATIENCE);
+  }
+
+  #settle(end: (call: Waiting) => void): void {
     const call = this.#running;
     this.#running = undefined;
     if (call) end(call);
     this.#next();
   }
 
+  #ended(): void {
+    clearTimeout(this.#patience);
+    this.#patience = undefined;
+  }
+
   #dropWorker(): void {
     const worker = this.#worker;
     this.#worker = undefined;
+    this.#ended();
     worker?.terminate();
   }
 }

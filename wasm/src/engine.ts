@@ -6,7 +6,7 @@ import type { Build } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
 import { RESULT_ARRAYS } from './base/generated-arrays.js';
 import type { Glues } from './glue.js';
-import { instantiate } from './instantiate.js';
+import { type Instance, instantiate } from './instantiate.js';
 import { MeshHeap } from './mesh-heap.js';
 import { MeshRunner } from './mesh-runner.js';
 import type {
@@ -41,11 +41,12 @@ export class Engine extends MeshRunner<NativeModule> {
     const glue = glues[build];
     if (!glue) throw new AbflatError('Internal', `This worker does not run the build ${build}.`);
     const { create, threadScript } = glue;
-    const { native, memory, hooks } = await instantiate(module, create, {
-      maxMemory,
-      isShared: build === 'threads',
-      threadScript,
-    });
+    const isShared = build === 'threads';
+    const settings = { maxMemory, isShared, threadScript };
+    return Engine.of(await instantiate(module, create, settings), maxMemory);
+  }
+
+  static of({ native, memory, hooks }: Instance<NativeModule>, maxMemory: number): Engine {
     return new Engine(native, new MeshHeap(native, memory, maxMemory), hooks);
   }
 

@@ -13,9 +13,10 @@ import { freeBakedTexcoord, freeTexcoord } from './gltf/texture-sets.js';
 import { ownFields } from './messages/fields.js';
 import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkBoolean, checkFunction, optionsOf } from './messages/validate.js';
-import type { Abflat, UnwrapOptions, UnwrapResult } from './types/index.js';
+import type { AnyAbflat, UnwrapOptions, UnwrapResult } from './types/index.js';
 
 export { type BakedLayout, type BakeLayoutOptions, bakeLayout } from './bake-layout.js';
+export { type BakeSetOptions, bake } from './bake-set.js';
 export type { BakeDocumentOptions } from './gltf/bake/bake-document.js';
 export type { DecodeImage, EncodeImage } from './gltf/bake/codecs.js';
 export type { ImageFile } from './gltf/bake/image-file.js';
@@ -55,7 +56,10 @@ export interface UnwrapDocumentOptions
    * are. Default: false, and true with `texcoord: 'auto'` or `fixedFaces`.
    */
   overwrite?: boolean;
-  /** Default: `scene`, one atlas for all. */
+  /**
+   * Default: `mesh`, one atlas for each mesh, as in glTF-Transform; `scene` with
+   * `ownTexels`, and with `fixedFaces`, as meshes may share the atlas that they have.
+   */
   groupBy?: GroupBy;
   /**
    * Nodes of the scene that share a mesh each get a copy of it, with coordinates of its own, as
@@ -77,7 +81,7 @@ export interface UnwrapDocumentOptions
  * 1 }))`. If it fails, the document stays as it was.
  */
 export function unwrap(
-  abflat: Pick<Abflat, 'unwrap'> & Partial<Pick<Abflat, 'bake'>>,
+  abflat: AnyAbflat<'unwrap'> & Partial<AnyAbflat<'bake'>>,
   options: UnwrapDocumentOptions = {},
 ): Transform {
   const own = optionsOf(options);
@@ -86,8 +90,8 @@ export function unwrap(
     bake = false,
     texcoord = usualTexcoord(own, readTexcoord),
     overwrite = texcoord === 'auto' || own.fixedFaces !== undefined,
-    groupBy = 'scene',
     ownTexels = false,
+    groupBy = ownTexels || own.fixedFaces !== undefined ? 'scene' : 'mesh',
     onAtlas,
     ...settings
   } = own;
@@ -165,7 +169,7 @@ function check(options: UnwrapDocumentOptions): void {
 }
 
 async function unwrapGroups(
-  abflat: Pick<Abflat, 'unwrap'>,
+  abflat: AnyAbflat<'unwrap'>,
   meshes: DocumentMesh[],
   options: UnwrapOptions,
 ): Promise<Omit<DocumentAtlas, 'texcoord'>[]> {

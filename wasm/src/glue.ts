@@ -12,7 +12,8 @@ export interface NativeSettings {
   ): object;
   print(text: string): void;
   printErr(text: string): void;
-  onProgress(stage: number, newtonStep: number, residual: number, fraction: number): void;
+  /** Returns whether to go on. */
+  onProgress(stage: number, newtonStep: number, residual: number, fraction: number): boolean;
   onOutOfMemory(): never;
 }
 

@@ -11,7 +11,7 @@ import { checkGroupBy, checkSets, type GroupBy, grouped, layEach } from './gltf/
 import { setTexcoords } from './gltf/texcoords.js';
 import { freeBakedTexcoord, freeTexcoord } from './gltf/texture-sets.js';
 import { checkAbflat, checkFunction, optionsOf } from './messages/validate.js';
-import type { Abflat, PackOptions, PackResult } from './types/index.js';
+import type { AnyAbflat, PackOptions, PackResult } from './types/index.js';
 
 export interface PackedDocumentAtlas extends Pick<DocumentMesh, 'parts'> {
   result: PackResult;
@@ -45,7 +45,7 @@ export interface PackDocumentOptions
  * fails, the document stays as it was.
  */
 export function pack(
-  abflat: Pick<Abflat, 'pack'> & Partial<Pick<Abflat, 'bake'>>,
+  abflat: AnyAbflat<'pack'> & Partial<AnyAbflat<'bake'>>,
   options: PackDocumentOptions = {},
 ): Transform {
   const own = optionsOf(options);
@@ -69,8 +69,8 @@ export function pack(
     const packed = await layEach(
       meshesOf(document, readTexcoord, groupBy),
       baking ? firstPart(own.onProgress) : own.onProgress,
-      async ({ positions, indices, texcoords, notes }, call) => {
-        const mesh = { positions, indices, ...(texcoords && { texcoords }) };
+      async ({ positions, indices, texcoords, materials, notes }, call) => {
+        const mesh = { positions, indices, materials, ...(texcoords && { texcoords }) };
         const result = await abflat.pack(mesh, { ...settings, ...call });
         result.report.notes.unshift(...notes);
         return result;

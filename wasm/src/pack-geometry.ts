@@ -5,7 +5,7 @@ import { AbflatError } from './base/errors.js';
 import type { WrittenFormat } from './base/generated.js';
 import { meshOf, withUv } from './geometry.js';
 import { checkAbflat, checkString, optionsOf } from './messages/validate.js';
-import type { Abflat, PackOptions, PackResult } from './types/index.js';
+import type { AnyAbflat, PackOptions, PackResult } from './types/index.js';
 
 /**
  * The options of `pack`, without `transfer`, as a geometry keeps its buffers, and without the file
@@ -24,7 +24,7 @@ export interface PackGeometryOptions extends Omit<PackOptions, 'transfer' | Writ
  * a copy follows. Tangents are copied like the rest and belong to the old coordinates.
  */
 export async function packGeometry(
-  abflat: Pick<Abflat, 'pack'>,
+  abflat: AnyAbflat<'pack'>,
   geometry: BufferGeometry,
   settings: PackGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: PackResult }> {

@@ -1,36 +1,14 @@
-import type { ModuleName } from './base/builds.js';
+import { type ModuleName, whyNoThreads } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
+import { addressOf, browserFiles, COPY } from './files-browser.js';
 import type { FromWorker } from './messages/protocol.js';
-import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
+import type { Address, Platform, WorkerHandle } from './platform.js';
 import { wasmFile } from './wasm-file.js';
 
-/** Advice if no address was given. */
-const COPY =
-  'A bundler may have left it out, as esbuild and Rollup do. Copy the files (cp -r node_modules/abflat/dist public/abflat) ' +
-  "and pass their location (createAbflat({ baseUrl: '/abflat/' })).";
-
-const VITE =
-  "The development server of Vite cannot find it. Set optimizeDeps: { exclude: ['abflat'] } in vite.config.js.";
-
-const adviceFor = ({ pathname }: URL) => (pathname.includes('/.vite/') ? VITE : COPY);
-
 export const browser: Platform = {
-  fileIn: (folder, name) =>
-    new URL(name, new URL(textOf(folder).replace(/\/*$/, '/'), page())).href,
+  ...browserFiles(wasmFile),
 
-  async loadModule(name, address) {
-    const url = address ? new URL(textOf(address), page()) : wasmFile(name);
-    const advice = address ? '' : ` ${adviceFor(url)}`;
-    const response = await fetchFile(url, advice);
-    try {
-      return await WebAssembly.compile(await response.arrayBuffer());
-    } catch (error) {
-      const type = response.headers.get('content-type') ?? 'no type';
-      throw new Error(
-        `${url} is not a WebAssembly module (served as ${type}): ${messageOf(error)}.${advice}`,
-      );
-    }
-  },
+  whyNoThreads,
 
   workerFile: (name) => `worker-${name}.js`,
 
@@ -45,18 +23,6 @@ export const browser: Platform = {
     return handleOf(worker);
   },
 };
-
-async function fetchFile(url: URL, advice: string): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(url);
-  } catch (error) {
-    throw new Error(`Cannot load ${url}: ${messageOf(error)}.${advice}`);
-  }
-  if (response.ok) return response;
-  const status = `${response.status} ${response.statusText}`.trim();
-  throw new Error(`Cannot load ${url}: ${status}.${advice}`);
-}
 
 const crash = (reason: string) =>
   new AbflatError('Internal', `The worker of abflat stopped: ${reason}`, 'stopped');
@@ -76,8 +42,6 @@ function notLoaded(address?: Address): AbflatError {
     'worker',
   );
 }
-
-const addressOf = (address: Address) => new URL(textOf(address), page());
 
 function openWorker(name: ModuleName, address?: Address): Worker {
   const url = address === undefined ? new URL(`./worker-${name}.js`, here) : addressOf(address);
@@ -125,9 +89,6 @@ function handleOf(worker: Worker): WorkerHandle {
  * files of theirs.
  */
 const here = import.meta.url;
-
-/** The base of relative addresses. */
-const page = () => globalThis.document?.baseURI ?? globalThis.location.href;
 
 /** Whether it is on another origin than the page, such as a CDN. */
 function isForeign({ protocol, origin }: URL): boolean {

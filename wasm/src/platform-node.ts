@@ -1,38 +1,16 @@
-import { readFile } from 'node:fs/promises';
-import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pathToFileURL } from 'node:url';
 import { Worker, type WorkerOptions } from 'node:worker_threads';
 import { AbflatError, messageOf } from './base/errors.js';
+import { KEEP, nodeFiles, pathOf } from './files-node.js';
 import { ownFields } from './messages/fields.js';
 import type { FromWorker } from './messages/protocol.js';
-import { type Address, type Platform, textOf, type WorkerHandle } from './platform.js';
-import { browser } from './platform-browser.js';
+import type { Platform, WorkerHandle } from './platform.js';
 import { wasmFile } from './wasm-file.js';
 
-/** Advice if no address was given. */
-const KEEP =
-  "A bundler may have left it out. Keep abflat out of the bundle (external: ['abflat'], in Next serverExternalPackages: ['abflat']), " +
-  'or pass the location of its folder dist (createAbflat({ baseUrl })).';
-
 export const node: Platform = {
-  fileIn: (folder, name) =>
-    isRemote(folder) ? browser.fileIn(folder, name) : join(pathOf(folder), name),
+  ...nodeFiles(wasmFile),
 
-  async loadModule(name, address) {
-    if (address && isRemote(address)) return browser.loadModule(name, address);
-    const path = pathOf(address ?? wasmFile(name));
-    let bytes: Uint8Array<ArrayBuffer>;
-    try {
-      bytes = await readFile(path);
-    } catch (error) {
-      throw new Error(`Cannot load ${path}: ${messageOf(error)}.${address ? '' : ` ${KEEP}`}`);
-    }
-    try {
-      return await WebAssembly.compile(bytes);
-    } catch (error) {
-      throw new Error(`${path} is not a WebAssembly module: ${messageOf(error)}`);
-    }
-  },
+  whyNoThreads: () => undefined,
 
   workerFile: () => 'worker-node.js',
 
@@ -64,12 +42,6 @@ function crash(reason: unknown, advice = ''): AbflatError {
         'worker',
       )
     : new AbflatError('Internal', `The worker of abflat stopped: ${messageOf(reason)}`, 'stopped');
-}
-
-const isRemote = (address: Address) => /^https?:/.test(textOf(address));
-
-function pathOf(address: Address): string {
-  return textOf(address).startsWith('file:') ? fileURLToPath(textOf(address)) : textOf(address);
 }
 
 function handleOf(worker: Worker): WorkerHandle {

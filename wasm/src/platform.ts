@@ -22,15 +22,21 @@ export interface WorkerEvents {
   onCrash(error: AbflatError): void;
 }
 
-/**
- * What browsers and Node do differently. If no address is given, files are beside the package's
- * modules.
- */
-export interface Platform {
+/** How files are read. If no address is given, they are beside the package's modules. */
+export interface Files<Name extends ModuleName = ModuleName> {
   /** The address of a file in a folder. */
   fileIn(folder: Address, name: string): string;
   /** Rejects with a sentence that names the file. */
-  loadModule(name: ModuleName, address?: Address): Promise<WebAssembly.Module>;
+  loadModule(name: Name, address?: Address): Promise<WebAssembly.Module>;
+}
+
+/** The address of a file beside the scripts. */
+export type FileBeside<Name> = (name: Name) => URL;
+
+/** What browsers and Node do differently. */
+export interface Platform extends Files {
+  /** Why the build with threads cannot run here; undefined if it can. */
+  whyNoThreads(): string | undefined;
   /** The script of the worker that runs a module. */
   workerFile(name: ModuleName): string;
   startWorker(events: WorkerEvents, name: ModuleName, address?: Address): WorkerHandle;

@@ -39,8 +39,11 @@ export abstract class Runner<N extends Jobs, H extends Heap> {
   protected abstract readonly task: string;
   protected abstract readonly advice: string;
 
-  /** Throws AbflatError, and sets `isBroken` if the module trapped or ran out of memory. */
-  run(request: Request, onProgress: (progress: AnyProgress) => void = () => undefined): Answer {
+  /**
+   * Throws AbflatError, and sets `isBroken` if the module trapped or ran out of memory. `onProgress`
+   * returns whether to go on.
+   */
+  run(request: Request, onProgress: (progress: AnyProgress) => boolean = () => true): Answer {
     this.#hooks.onProgress = onProgress;
     try {
       return this.answer(request);

@@ -3,9 +3,7 @@
 import { AbflatError, messageOf } from './base/errors.js';
 import { KEPT_MEMORY } from './base/memory.js';
 import type { Answer, AnyProgress, FromWorker, Request, ToWorker } from './messages/protocol.js';
-
-/** About 30 a second. */
-const PROGRESS_PAUSE_MS = 33;
+import { throttle } from './throttle.js';
 
 export interface Port {
   post(message: FromWorker, transfer?: ArrayBuffer[]): void;
@@ -16,31 +14,45 @@ export interface Port {
 interface Engine {
   readonly heapBytes: number;
   readonly isBroken: boolean;
-  run(request: Request, onProgress?: (progress: AnyProgress) => void): Answer;
+  /** `onProgress` returns whether to go on. */
+  run(request: Request, onProgress?: (progress: AnyProgress) => boolean): Answer;
 }
 
 export type Start = (module: WebAssembly.Module, maxMemory: number) => Promise<Engine>;
 
 export function serve(port: Port, start: Start): void {
   let engine: Promise<Engine> | undefined;
+  let stopped: Int32Array | undefined;
   port.listen((message) => {
     if (message.type === 'start') {
+      stopped = message.stopped;
       engine = start(message.module, message.maxMemory);
       engine.catch(() => undefined); // the first call reports it
     } else {
-      void answer(port, message.request, engine);
+      const goesOn = () => !stopped || Atomics.load(stopped, 0) !== message.number;
+      void answer(port, message.request, goesOn, engine);
     }
   });
 }
 
-async function answer(port: Port, request: Request, starting?: Promise<Engine>): Promise<void> {
+async function answer(
+  port: Port,
+  request: Request,
+  goesOn: () => boolean,
+  starting?: Promise<Engine>,
+): Promise<void> {
   let engine: Engine | undefined;
   try {
     engine = await starting;
     if (!engine) throw new Error('the worker was not started');
     const wantsProgress = 'wantsProgress' in request && request.wantsProgress;
-    const post = (progress: AnyProgress) => port.post({ type: 'progress', progress });
-    const value = engine.run(request, wantsProgress ? throttle(post) : undefined);
+    const tell = wantsProgress
+      ? throttle((progress) => port.post({ type: 'progress', progress }))
+      : undefined;
+    const value = engine.run(request, (progress) => {
+      tell?.(progress);
+      return goesOn();
+    });
     const isSpent = engine.heapBytes > KEPT_MEMORY;
     port.post({ type: 'done', answer: value, isSpent }, buffersOf(value));
   } catch (error) {
@@ -48,23 +60,6 @@ async function answer(port: Port, request: Request, starting?: Promise<Engine>):
     const isSpent = engine === undefined || engine.isBroken || engine.heapBytes > KEPT_MEMORY;
     port.post({ type: 'failed', code, message: messageOf(error), isSpent });
   }
-}
-
-/**
- * Passes on the first message of each stage and the last of all, and the others at most once per
- * PROGRESS_PAUSE_MS.
- */
-function throttle(post: (progress: AnyProgress) => void): (progress: AnyProgress) => void {
-  let stage: AnyProgress['stage'] | undefined;
-  let last = Number.NEGATIVE_INFINITY;
-  return (progress) => {
-    const now = performance.now();
-    const isEdge = progress.stage !== stage || progress.fraction === 1;
-    if (!isEdge && now - last < PROGRESS_PAUSE_MS) return;
-    stage = progress.stage;
-    last = now;
-    post(progress);
-  };
 }
 
 function buffersOf(value: Answer): ArrayBuffer[] {

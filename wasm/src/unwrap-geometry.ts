@@ -5,7 +5,7 @@ import type { WrittenFormat } from './base/generated.js';
 import { meshOf, withUv } from './geometry.js';
 import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkString, optionsOf } from './messages/validate.js';
-import type { Abflat, UnwrapOptions, UnwrapResult } from './types/index.js';
+import type { AnyAbflat, UnwrapOptions, UnwrapResult } from './types/index.js';
 
 /**
  * The options of `unwrap`, without `transfer`, as a geometry keeps its buffers, and without the
@@ -22,7 +22,7 @@ export interface UnwrapGeometryOptions extends Omit<UnwrapOptions, 'transfer' | 
  * has. Tangents are copied like the rest and belong to the old coordinates.
  */
 export async function unwrapGeometry(
-  abflat: Pick<Abflat, 'unwrap'>,
+  abflat: AnyAbflat<'unwrap'>,
   geometry: BufferGeometry,
   settings: UnwrapGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {

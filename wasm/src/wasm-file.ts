@@ -24,7 +24,3 @@ export function wasmFile(name: ModuleName): URL {
       return new URL('./abflat-bake.wasm', import.meta.url);
   }
 }
-
-/** Only the name of the file. */
-export const wasmName = (name: ModuleName) =>
-  name === 'plain' ? 'abflat.wasm' : `abflat-${name}.wasm`;

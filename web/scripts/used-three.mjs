@@ -1,5 +1,7 @@
 // Vite plugin: leaves out what the page does not use of three.js. The renderer refers to all of it, so bundlers keep it.
 
+import { UNUSED, UNUSED_FUNCTIONS } from './unused-three.mjs';
+
 /** What the page's shaders and LineMaterial include, and what the renderer adds to them. Including any other one is an error in three.js. */
 const USED = new Set([
   'clipping_planes_fragment',
@@ -23,75 +25,7 @@ const USED = new Set([
   'logdepthbuf_vertex',
   'premultiplied_alpha_fragment',
   'tonemapping_fragment',
-  'tonemapping_pars_fragment',
 ]);
-
-/**
- * No lights or shadows around, no materials but our own, no background, no headsets: what the renderer still asks of these
- * classes and functions.
- */
-const UNUSED = {
-  PMREMGenerator: 'class PMREMGenerator {}',
-  WebXRManager: `class WebXRManager extends EventDispatcher {
-  enabled = false;
-  isPresenting = false;
-  getEnvironmentBlendMode() {}
-  setAnimationLoop() {}
-  dispose() {}
-}`,
-  WebGLOutput: 'class WebGLOutput {}',
-  WebGLShadowMap: `function WebGLShadowMap() {
-  return { enabled: false, type: PCFShadowMap, render() {} };
-}`,
-  WebGLMorphtargets: 'function WebGLMorphtargets() {}',
-  WebGLUniformsGroups: `function WebGLUniformsGroups() {
-  return { dispose() {} };
-}`,
-  WebGLEnvironments: `function WebGLEnvironments() {
-  return { get: () => null, dispose() {} };
-}`,
-  WebGLMaterials: `function WebGLMaterials() {
-  return { refreshMaterialUniforms: (_, material) => { material.uniformsNeedUpdate = false; } };
-}`,
-  WebGLLights: `function WebGLLights() {
-  const names = 'sun directional point spot spotLightMap rectArea hemi sunShadowMap directionalShadowMap pointShadowMap spotShadowMap';
-  const state = { version: 0, numSpotLightShadowsWithMaps: 0, numLightProbes: 0 };
-  for (const name of names.split(' ')) state[name] = [];
-  return { setup() {}, setupView() {}, state };
-}`,
-  WebGLBackground: `function WebGLBackground(renderer, environments, state, objects, alpha, premultipliedAlpha) {
-  const clearColor = new Color(0);
-  let clearAlpha = alpha ? 0 : 1;
-  const setClear = () => {
-    clearColor.getRGB(_rgb, getUnlitUniformColorSpace(renderer));
-    state.buffers.color.setClear(_rgb.r, _rgb.g, _rgb.b, clearAlpha, premultipliedAlpha);
-  };
-  return {
-    getClearColor: () => clearColor,
-    getClearAlpha: () => clearAlpha,
-    setClearColor(color, alpha = 1) {
-      clearColor.set(color);
-      clearAlpha = alpha;
-      setClear();
-    },
-    setClearAlpha(alpha) {
-      clearAlpha = alpha;
-      setClear();
-    },
-    render() {
-      setClear();
-      if (!renderer.autoClear) return;
-      state.buffers.depth.setTest(true);
-      state.buffers.depth.setMask(true);
-      state.buffers.color.setMask(true);
-      renderer.clear(renderer.autoClearColor, renderer.autoClearDepth, renderer.autoClearStencil);
-    },
-    addToRenderList() {},
-    dispose() {},
-  };
-}`,
-  getDFGLUT: 'function getDFGLUT() {}',
-};
 
 /** Nothing is stored as JSON; what is under the pointer, and what keys do, is up to the page itself. */
 const UNUSED_METHODS =
@@ -103,6 +37,10 @@ const COLOR_NAMES = /^(const _colorKeywords = )\{[\s\S]*?\};$/m;
 const THREE = /\/three\/(build|examples)\/.*\.js$/;
 const CORE = /\/three\/build\/three\.core\.js$/;
 const RENDERER = /\/three\/build\/three\.module\.js$/;
+/** Shaders of materials that the page does not have; of their uniforms, what LineMaterial has as well. */
+const SHADERS = /^(?:const ShaderLib = |ShaderLib\.physical = )\{[\s\S]*?^\};$/gm;
+const UNIFORMS = /^const UniformsLib = \{[\s\S]*?^\};$/m;
+const UNIFORM_SET = /^\t(?!common:|fog:)\w+: \{[\s\S]*?^\t\},?$/gm;
 const CHUNKS = /^const ShaderChunk = \{$(.*?)^\};$/ms;
 const ENTRY = /^\t(\w+): ([\w$]+),?$/gm;
 const TEXT = /^(var|const) ([\w$]+) = "(?:[^"\\]|\\.)*";$/gm;
@@ -119,12 +57,30 @@ function withoutShaders(source) {
   );
 }
 
+function withoutMaterials(source) {
+  const [uniforms] = UNIFORMS.exec(source) ?? [];
+  if (!uniforms || [...source.matchAll(SHADERS)].length !== 2) throw changed();
+  return source
+    .replace(uniforms, () => uniforms.replace(UNIFORM_SET, ''))
+    .replace(SHADERS, (text) => (text.startsWith('const') ? 'const ShaderLib = {};' : ''));
+}
+
 function withoutClasses(source) {
   let text = source;
   for (const [name, rest] of Object.entries(UNUSED)) {
     const [found] = new RegExp(`^(class|function) ${name}\\b[^]*?^}$`, 'm').exec(text) ?? [];
     if (!found) throw changed();
     text = text.replace(found, () => rest);
+  }
+  return text;
+}
+
+function withoutFunctions(source) {
+  let text = source;
+  for (const name of UNUSED_FUNCTIONS) {
+    const whole = new RegExp(`^(\\t+)function ${name}\\(.*\\) \\{$[^]*?^\\1\\}$`, 'm');
+    if (!whole.test(text)) throw changed();
+    text = text.replace(whole, `function ${name}() {}`);
   }
   return text;
 }
@@ -143,7 +99,9 @@ export const usedThree = () => ({
   apply: 'build',
   transform: (source, id) => {
     if (!THREE.test(id)) return undefined;
-    const code = RENDERER.test(id) ? withoutClasses(withoutShaders(source)) : source;
+    const code = RENDERER.test(id)
+      ? withoutFunctions(withoutClasses(withoutMaterials(withoutShaders(source))))
+      : source;
     return { code: withoutMethods(code, id), map: null };
   },
 });

@@ -35,13 +35,20 @@ import { type Left, LeftMeshes } from './session/left-meshes';
 import { Session, type SessionEvents, type Shown } from './session/session';
 import type { Step } from './session/steps';
 import { titleOf } from './session/titles';
-import { failure, isOnlyPlaced, kept, layingOut, settingsText } from './session/words';
+import {
+  failure,
+  isOnlyPlaced,
+  isPackedAgain,
+  kept,
+  layingOut,
+  settingsText,
+} from './session/words';
 import { ownImages } from './shown/shown-image';
 import type { Views } from './view/views';
 import { LastVisit } from './visit/last-visit';
 import { PageHistory } from './visit/page-history';
 import { Unsaved } from './visit/unsaved';
-import { duration } from './words/format';
+import { duration, ended } from './words/format';
 import { BADGES } from './words/result';
 import { CHANGES, RUN } from './words/run';
 import { MOVING } from './words/selection';
@@ -96,6 +103,8 @@ export class App implements SessionEvents {
     this.controls = new LayoutControls(this.seams, {
       changed: (what) => this.changed(what),
       modeChanged: () => this.modeChanged(),
+      relaxIslands: () => void this.tools?.relaxIslands(),
+      packSelected: (choices) => this.tools?.packIslands(choices) ?? false,
       say: this.say,
     });
     this.session = new Session(abflat, this, () => this.controls.settings, this.workshop);
@@ -117,8 +126,13 @@ export class App implements SessionEvents {
       new HandTools(views, this.workshop, this.session, this.controls, {
         isFree: () => this.seams.isIdle,
         seams: this.seams.editor,
-        selected: (states) => this.result.showStates(states),
+        surface: () => this.seams.surface(),
+        selected: (states) => {
+          this.result.showStates(states);
+          this.controls.showSelected(states.selected.size);
+        },
         pinned: (what) => this.marked(what),
+        noted: (sentences) => this.meshes.remark(sentences.map(ended)),
         notPlaced: (why) => {
           if (!this.session.isBusy) this.finish(why || MOVING.nothingMoved, false);
         },
@@ -291,7 +305,7 @@ export class App implements SessionEvents {
 
   opened(opened: Opened, before: Shown | null): void {
     const { source, mesh, summary } = opened;
-    this.run.opened(mesh.indices.length / 3);
+    this.run.opened();
     hideAlert();
     const last = before && { ...before, history: this.history.list, settings: this.controls.all };
     const left = this.left.get(source);
@@ -333,8 +347,7 @@ export class App implements SessionEvents {
     const { badge } = verdictOf(outcome, drawing.areas);
     const but = badge === BADGES.valid ? '' : RUN.but(badge);
     const time = duration(report.timings.total);
-    const isRepacked = this.said === CHANGES.packedAgain;
-    const done = isRepacked ? this.said : layingOut(outcome.settings).done;
+    const done = (isPackedAgain(outcome) && this.said) || layingOut(outcome.settings).done;
     const what = isOnlyPlaced(outcome)
       ? RUN.checked(this.said, time) + but
       : RUN.laidOut(done, time) + but + kept(outcome);

@@ -7,10 +7,13 @@ import { ModeSwitch } from './controls/mode-switch';
 import { PackControl } from './controls/pack-control';
 import { Locks } from './details/locks';
 import { isAutomatic } from './details/verdict';
+import type { Arrangeable } from './model/arrangeable';
+import type { FaceDensities } from './model/face-densities';
 import type { Unwrapped } from './model/model';
 import {
   type FlattenSettings,
   type Marks,
+  type PackChoices,
   type Settings,
   sameSettings,
   type UnwrapSettings,
@@ -22,6 +25,10 @@ export interface ControlEvents {
   /** The user wants something else; `what`, if the settings do not say so. */
   changed(what?: string): void;
   modeChanged(): void;
+  /** Islands of the file are to be relaxed: the selected ones, or all. */
+  relaxIslands(): void;
+  /** Those that are selected are to be packed; returns whether any are. */
+  packSelected(choices: PackChoices): boolean;
   say(text: string): void;
 }
 
@@ -35,7 +42,7 @@ export class LayoutControls {
   private readonly packing: PackControl;
   private readonly delaunay = element('delaunay', HTMLButtonElement);
   private placed: UnwrapSettings['placed'];
-  private faceDensities: UnwrapSettings['faceDensities'];
+  private faceDensities: FaceDensities;
   private ownBounds: FlattenSettings['bounds'];
   private pins: UnwrapSettings['pins'];
 
@@ -50,7 +57,7 @@ export class LayoutControls {
       this.placed = undefined;
       changed();
     }, events.say);
-    this.packing = new PackControl(changed, events.say);
+    this.packing = new PackControl({ ...events, changed });
     this.mode = new ModeSwitch(() => events.modeChanged());
     this.delaunay.addEventListener('click', () => {
       this.setDelaunay(!this.isDelaunay);
@@ -122,14 +129,13 @@ export class LayoutControls {
     this.events.changed(what);
   }
 
-  /** Charts were moved. They keep these densities when they are packed anew. */
-  place(
-    layout: UnwrapSettings['placed'],
-    densities: UnwrapSettings['faceDensities'],
-    what: string,
-  ): void {
-    this.placed = layout;
-    this.faceDensities = densities;
+  /** Charts were moved. Those of an atlas keep their densities when they are packed anew. */
+  place(outcome: Arrangeable, what: string): void {
+    if (outcome.mode === 'pack') this.packing.give(outcome.given);
+    else {
+      this.placed = outcome.result;
+      this.faceDensities = outcome.settings.faceDensities;
+    }
     this.events.changed(what);
   }
 
@@ -140,9 +146,33 @@ export class LayoutControls {
     this.events.changed(CHANGES.packedAgain);
   }
 
+  /** What faces of an atlas ask for. */
+  get densities(): FaceDensities {
+    return this.faceDensities;
+  }
+
+  /** Faces ask for other densities: the charts of the atlas on screen, or asked for, are packed again. */
+  setDensities({ result, settings }: Unwrapped, densities: FaceDensities, what: string): void {
+    const base = sameSettings(settings, this.settings) ? result : this.placed;
+    this.placed = base && { ...base, repacks: true };
+    this.faceDensities = densities;
+    this.events.changed(what);
+  }
+
   /** The islands of the file are to be packed. */
   packIslands(): void {
     this.packing.setKeeping(false);
+  }
+
+  /** What the mesh has several of. */
+  offerParts(hasObjects: boolean, hasMaterials: boolean): void {
+    this.packing.offerParts(hasObjects, hasMaterials);
+    this.options.offerParts(hasObjects, hasMaterials);
+  }
+
+  /** How many islands are selected. */
+  showSelected(count: number): void {
+    this.packing.showSelected(count);
   }
 
   /** Shows other settings without asking for them. */

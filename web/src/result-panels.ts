@@ -13,7 +13,7 @@ import { SweepTab } from './details/sweep-tab';
 import type { LayoutControls } from './layout-controls';
 import type { FlatDrawing } from './model/drawing';
 import { foundChart } from './model/found-chart';
-import type { Outcome, Source, Unwrapped } from './model/model';
+import type { Outcome, Source } from './model/model';
 import type { Mode, Settings } from './model/settings';
 import type { SelectionPanel } from './selection/selection-panel';
 import type { Session } from './session/session';
@@ -84,7 +84,10 @@ export class ResultPanels {
     });
     this.islands = new IslandsTab({
       pointed: (island) => views?.lightChart(island),
-      chosen: (island) => views?.goToCharts([island]),
+      chosen: (island) => {
+        views?.goToCharts([island]);
+        events.selection()?.pick(island);
+      },
       say: (text) => events.say(text),
     });
     this.sweep = new SweepTab(
@@ -183,6 +186,7 @@ export class ResultPanels {
 
   showStates(states: ChartStates): void {
     this.charts.showSelected(states.selected);
+    this.islands.showSelected(states.selected);
     this.objects?.showStates(states);
   }
 
@@ -216,6 +220,7 @@ export class ResultPanels {
     }
     if (outcome.mode === 'pack') {
       this.islands.show(outcome, areas);
+      void this.showObjects(outcome);
       return;
     }
     const chart = foundChart(outcome);
@@ -226,14 +231,17 @@ export class ResultPanels {
   }
 
   /** What the page has made has no objects. */
-  private async showObjects({ source }: Unwrapped): Promise<void> {
+  private async showObjects({ source }: Outcome): Promise<void> {
     const { say, selection } = this.events;
     const selecting = selection();
     if (!selecting || (source.kind === 'sample' && !this.objects)) return;
     try {
       const { ObjectsTab } = await objectsTab();
       this.objects ??= new ObjectsTab(selecting, this.workshop, {
-        offered: (has) => this.details.offerObjects(has),
+        offered: (objects, materials) => {
+          this.details.offerObjects(objects + materials > 1);
+          this.controls.offerParts(objects > 1, materials > 1);
+        },
         say,
       });
       await this.objects.show(this.outcome);

@@ -115,7 +115,7 @@ export class Saving {
     const { current } = this;
     this.control.isDisabled = current === null;
     this.baking.show(current);
-    this.control.showBaked(this.baking.imageSide !== null);
+    this.control.showBaked(this.baking.formats);
     this.showTexcoordChoice(isNew);
     this.name(false);
     const isAtlas = current && current.mode !== 'flatten' && chartColors;
@@ -128,7 +128,7 @@ export class Saving {
     this.isLimited = true;
     try {
       const { showLimits } = await savingParts();
-      showLimits(this.current);
+      showLimits(this.current, this.baking.formats);
     } catch (error) {
       this.events.say(reasonOf(error as Error));
     }
@@ -140,10 +140,11 @@ export class Saving {
   }
 
   private bakingChanged(): void {
-    const isBaked = this.baking.imageSide !== null;
-    if (isBaked) this.control.chooseGlb();
-    this.control.showBaked(isBaked);
+    const { formats } = this.baking;
+    if (formats.length > 0 && !formats.includes(this.control.format)) this.control.chooseGlb();
+    this.control.showBaked(formats);
     this.showTexcoordChoice(false);
+    if (this.isLimited) void this.showLimits();
   }
 
   private export(): void {

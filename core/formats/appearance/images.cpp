@@ -40,17 +40,17 @@ std::size_t Images::read(const std::string& folder, const std::string& path) {
     if (beside.ok()) bytes = std::move(beside);
   }
   if (!bytes.ok()) {
-    out_.notes.push_back("image " + path + " was left out: " + bytes.status().message);
+    notes_.push_back("image " + path + " was left out: " + bytes.status().message);
     return kNoImage;
   }
   ImageFile image{name, mimeTypeOf(bytes.value()), std::move(bytes.value())};
-  if (image.mimeType.empty()) {
-    out_.notes.push_back("image " + path +
-                         " was left out: glTF supports only PNG and JPEG. Convert it");
+  if (image.mimeType.empty() && types_ == ImageTypes::OfGltf) {
+    notes_.push_back("image " + path +
+                     " was left out: glTF supports only PNG and JPEG. Convert it");
     return kNoImage;
   }
-  out_.images.push_back(std::move(image));
-  return out_.images.size() - 1;
+  out_.push_back(std::move(image));
+  return out_.size() - 1;
 }
 
 }  // namespace abflat

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/mtl_map_line.h"
 #include "base/number_text.h"
 #include "io/text_lines.h"
 
@@ -27,37 +28,11 @@ void readColor(std::string_view words, std::array<double, 3>& color) {
   if (count == 1 || count == 3) color = value;
 }
 
-/// Number of arguments that a map option takes; of those that take up to three numbers, only the
-/// first is required.
-std::size_t argumentsOf(std::string_view option) {
-  for (const std::string_view numbers : {"-o", "-s", "-t"})
-    if (option == numbers) return 3;
-  return option == "-mm" ? 2 : 1;
-}
-
-/// "-s 1 1 1 -clamp on my wood.png": the name of the file, which may contain blanks.
-std::string_view mapPath(std::string_view words) {
-  while (true) {
-    std::string_view rest = words;
-    const std::string_view option = takeWord(rest);
-    if (option.size() < 2 || option[0] != '-') return restOfLine(words);
-    const std::size_t count = argumentsOf(option);
-    for (std::size_t i = 0; i < count; ++i) {
-      std::string_view next = rest;
-      double value = 0;
-      const std::string_view word = takeWord(next);
-      if (i > 0 && !parseDouble(word, value)) break;
-      rest = next;
-    }
-    words = rest;
-  }
-}
-
 void readLine(std::string_view keyword, std::string_view words, MtlMaterial& out) {
   double value = 0;
   if (keyword == "Kd") readColor(words, out.diffuse);
   if (keyword == "Ke") readColor(words, out.emission);
-  if (keyword == "map_Kd") out.diffuseMap = mapPath(words);
+  if (keyword == "map_Kd") out.diffuseMap = mapLine(words).path;
   if (keyword == "d" && takeNumbers(words, &value, 1) == 1) {
     out.opacity = value;
     out.hasOpacity = true;

@@ -1,9 +1,9 @@
 #include <map>
-#include <set>
 
 #include "appearance/color.h"
 #include "appearance/images.h"
 #include "appearance/mtl.h"
+#include "appearance/mtl_libraries.h"
 #include "appearance/readers.h"
 #include "base/number_text.h"
 #include "io/obj_lines.h"
@@ -86,51 +86,10 @@ MaterialLook lookOf(const MtlMaterial& mtl) {
   return out;
 }
 
-/// Materials, and the folder that their images are relative to.
+/// The materials of a file, and the folder that their images are relative to.
 struct Library {
   MtlMaterials materials;
   std::string folder;
-};
-
-/// Reads the words after `mtllib`: a single file name if there is such a file, otherwise one name
-/// per word.
-class Libraries {
- public:
-  Libraries(const ReadResource& readResource, Appearance& out)
-      : readResource_(readResource), out_(out) {}
-
-  void add(const std::string& line) {
-    const Status whole = read(line);
-    if (whole.ok()) return;
-    std::vector<std::string> missing;
-    std::string_view words = line;
-    bool hasAny = false;
-    for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words)) {
-      const Status s = read(std::string(word));
-      hasAny = hasAny || s.ok();
-      if (!s.ok())
-        missing.push_back("the materials in " + std::string(word) + kNamesOnly + s.message);
-    }
-    if (!hasAny) missing = {"the materials in " + line + kNamesOnly + whole.message};
-    out_.notes.insert(out_.notes.end(), missing.begin(), missing.end());
-  }
-
-  const std::vector<Library>& found() const { return found_; }
-
- private:
-  static constexpr const char* kNamesOnly = " keep only their names: ";
-
-  Status read(const std::string& name) {
-    const Result<std::string> text = readResource_(name);
-    if (!text.ok()) return text.status();
-    readMtl(text.value(), found_.emplace_back().materials);
-    found_.back().folder = folderOf(name);
-    return {};
-  }
-
-  const ReadResource& readResource_;
-  Appearance& out_;
-  std::vector<Library> found_;
 };
 
 /// The first library that has the material counts.
@@ -151,16 +110,19 @@ MaterialLook lookNamed(const std::string& name, const std::vector<Library>& libr
 
 void readObjAppearance(std::string_view bytes, const PolygonMesh& mesh,
                        const ReadResource& readResource, Appearance& out) {
-  std::vector<std::string> lines;  // of mtllib; some programs repeat them for each object
+  std::vector<std::string> lines;  // of mtllib
   ObjAppearanceReader(mesh, out).run(bytes, lines);
-  Libraries libraries(readResource, out);
-  std::set<std::string_view> known;
-  for (const std::string& line : lines)
-    if (known.insert(line).second) libraries.add(line);
-  if (libraries.found().empty()) return;
-  Images images(readResource, out);
+  MtlLibraries files(readResource, out.notes);
+  files.addAll(lines);
+  std::vector<Library> libraries;
+  for (const MtlFile& file : files.takeFound()) {
+    libraries.push_back({{}, file.folder});
+    readMtl(file.text, libraries.back().materials);
+  }
+  if (libraries.empty()) return;
+  Images images(readResource, ImageTypes::OfGltf, out.images, out.notes);
   for (const std::string& name : mesh.materialNames)
-    out.materials.push_back(lookNamed(name, libraries.found(), images));
+    out.materials.push_back(lookNamed(name, libraries, images));
 }
 
 }  // namespace abflat

@@ -55,7 +55,8 @@ void readTexture(const PlyHeader& header, const ReadResource& readResource, Appe
     name = restOfLine(line);
   }
   if (!name.empty())
-    out.materials.emplace_back().image = Images(readResource, out).numberOf("", name);
+    out.materials.emplace_back().image =
+        Images(readResource, ImageTypes::OfGltf, out.images, out.notes).numberOf("", name);
 }
 
 }  // namespace

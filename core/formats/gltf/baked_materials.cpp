@@ -5,19 +5,13 @@
 #include <utility>
 
 #include "gltf/json_extensions.h"
+#include "gltf/used_extensions.h"
 
 namespace abflat::gltf {
 namespace {
 
-constexpr const char* kWebp = "EXT_texture_webp";
 constexpr const char* kStrength = "KHR_materials_emissive_strength";
 constexpr std::size_t kImageAlignment = 4;
-
-void addOnce(Json& list, const std::string& name) {
-  for (const Json& item : list.items())
-    if (item.text() && *item.text() == name) return;
-  list.items().emplace_back(name);
-}
 
 /// With members in the order of their names.
 Json sorted(const Json& json) {
@@ -94,9 +88,9 @@ class BakedMaterials {
     Json texture = Json::object();
     const std::size_t number = add("images", std::move(image));
     if (file.mimeType == "image/webp") {
-      texture["extensions"][kWebp]["source"] = number;
-      addOnce(json_["extensionsUsed"], kWebp);
-      addOnce(json_["extensionsRequired"], kWebp);
+      texture["extensions"][kTextureWebp]["source"] = number;
+      addOnce(json_["extensionsUsed"], kTextureWebp);
+      addOnce(json_["extensionsRequired"], kTextureWebp);
     } else {
       texture["source"] = number;
     }

@@ -7,6 +7,7 @@
 #include "gltf/container.h"
 #include "gltf/edit.h"
 #include "gltf/uri.h"
+#include "gltf/used_extensions.h"
 
 namespace abflat::gltf {
 namespace {
@@ -96,7 +97,13 @@ std::size_t FreshFile::addTexture(const std::string& name, const std::string& mi
   // Creating the second list may move the first, so it is looked up only then.
   const std::size_t source = added(json_["images"], std::move(image));
   Json texture;
-  texture["source"] = source;
+  if (mimeType == "image/webp") {
+    texture["extensions"][kTextureWebp]["source"] = source;
+    for (const char* list : {"extensionsUsed", "extensionsRequired"})
+      addOnce(json_[list], kTextureWebp);
+  } else {
+    texture["source"] = source;
+  }
   return added(json_["textures"], std::move(texture));
 }
 

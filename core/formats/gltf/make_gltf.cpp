@@ -75,8 +75,8 @@ class ModelMaker {
 
   /// The mesh's own texcoords are useful beside the new ones, or if an image is painted on them.
   bool keepsOld(std::uint32_t material) const {
-    const bool hasImage =
-        material < look_.materials.size() && look_.materials[material].image != kNoImage;
+    const bool hasImage = !options_.isBaked && material < look_.materials.size() &&
+                          look_.materials[material].image != kNoImage;
     return !mesh_.faceTexcoords.empty() && (options_.texcoord > 0 || hasImage);
   }
 
@@ -177,15 +177,31 @@ class ModelMaker {
       json["name"] = mesh_.materialNames[material];
     Json& surface = json["pbrMetallicRoughness"];
     if (look.baseColor != MaterialLook().baseColor) surface["baseColorFactor"] = look.baseColor;
-    if (look.image != kNoImage) {
-      surface["baseColorTexture"]["index"] = textureNumber(look.image);
-      if (keepsOld(material) && oldSet() > 0) surface["baseColorTexture"]["texCoord"] = oldSet();
-    }
+    const std::size_t set = imageSet(material);
+    setTexture(surface, "baseColorTexture", look.image, set);
+    setTexture(surface, "metallicRoughnessTexture", look.metallicRoughnessImage, set);
     surface["metallicFactor"] = look.metallic;
     if (look.roughness != 1) surface["roughnessFactor"] = look.roughness;
+    // These may move what was looked up before.
+    setTexture(json, "normalTexture", look.normalImage, set);
+    if (look.normalImage != kNoImage && look.normalScale != 1)
+      json["normalTexture"]["scale"] = look.normalScale;
+    setTexture(json, "emissiveTexture", look.emissiveImage, set);
     if (look.emission != MaterialLook().emission) json["emissiveFactor"] = look.emission;
-    if (look.baseColor[3] < 1) json["alphaMode"] = "BLEND";
+    if (look.baseColor[3] < 1 || look.hasOpacityImage) json["alphaMode"] = "BLEND";
     return materials_[material] = file_.addMaterial(std::move(json));
+  }
+
+  /// The set of texcoords that images of a material are for.
+  std::size_t imageSet(std::uint32_t material) const {
+    if (options_.isBaked) return options_.texcoord;
+    return keepsOld(material) ? oldSet() : 0;
+  }
+
+  void setTexture(Json& object, const char* key, std::size_t image, std::size_t set) {
+    if (image == kNoImage) return;
+    object[key]["index"] = textureNumber(image);
+    if (set > 0) object[key]["texCoord"] = set;
   }
 
   std::size_t textureNumber(std::size_t image) {

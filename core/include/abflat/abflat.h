@@ -74,8 +74,9 @@ ABFLAT_API int abflat_is_valid(const abflat_result* result);
 /* JSON text; its keys are those of docs/report.md. */
 ABFLAT_API const char* abflat_report(const abflat_result* result);
 
-/* Arrays of a result, which owns them. The vertices of the input come first; on seams, copies of
-   them follow. `count` is the number of vertices or triangles; it may be NULL. */
+/* Arrays of a result, which owns them. Vertices are in the order of the input; one on a seam comes
+   once for each of its texcoords. `count` is the number of vertices or triangles; it may be NULL.
+ */
 ABFLAT_API const uint32_t* abflat_vertices(const abflat_result* result,
                                            size_t* count); /* of the input */
 ABFLAT_API const double* abflat_uv(const abflat_result* result,

@@ -27,6 +27,9 @@ struct MaterialLook {
   std::array<double, 3> emission = {0, 0, 0};
   double metallic = 0, roughness = 1;
   std::size_t image = kNoImage;  ///< colour texture, sampled at the texcoords of the mesh
+  std::size_t metallicRoughnessImage = kNoImage, normalImage = kNoImage, emissiveImage = kNoImage;
+  double normalScale = 1;
+  bool hasOpacityImage = false;  ///< the alpha of the colour texture counts
 };
 
 /// A file with an image.

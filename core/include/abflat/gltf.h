@@ -81,6 +81,7 @@ ABFLAT_API Result<std::string> writeGltf(const gltf::Source& source, const std::
 struct GltfMakeOptions {
   bool isBinary = true;      ///< as in GltfWriteOptions
   std::size_t texcoord = 0;  ///< likewise
+  bool isBaked = false;      ///< images are for the new texcoords, not for those of the mesh
 };
 
 /// A new .glb, or .gltf with its buffer in a data URI: the mesh as triangles with texcoords and

@@ -15,6 +15,12 @@
 namespace abflat {
 
 struct PackLayoutOptions : PackOptionValues {
+  /// Only these islands are packed, around the others, which stay where they are, inside of tiles
+  /// or not. They do not grow. Empty: all are packed.
+  std::vector<std::uint32_t> islands;
+  /// Per island, the tile that it goes to: 0 is UDIM 1001, and a row has ten. Each tile is packed
+  /// by itself, as tight as it can be. Needs no udim. Empty: one tile for all.
+  std::vector<std::uint32_t> tileOfIsland;
   /// To what texcoords are rounded before they are checked.
   Precision precision = Precision::Double;
   ProgressCallback progress;
@@ -41,6 +47,10 @@ struct PackLayoutResult {
 /// Errors: InvalidOption, InvalidMesh, EmptyMesh, NoTexcoords, AtlasTooSmall, Aborted.
 ABFLAT_API Result<PackLayoutResult> packLayout(const PolygonMesh& mesh,
                                                const PackLayoutOptions& options);
+
+/// Gives the mesh other texcoords: 2 per corner of its triangles, in the order of
+/// `triangleCorners`. Faces without texcoords stay without. Errors: InvalidMesh.
+ABFLAT_API Status replaceTexcoords(PolygonMesh& mesh, const std::vector<double>& triangleUv);
 
 /// The layout with one texcoord per vertex, as graphics cards take it.
 struct PackedVertices {

@@ -4,6 +4,16 @@
 #include <utility>
 
 namespace abflat {
+namespace {
+
+/// The share that `reports` make where half of them is usual: even at first, and never all.
+double approached(double reports, double usual) {
+  constexpr double kEven = 0.8, kRest = 1 - kEven;
+  const double even = reports / (2 * usual);
+  return even < kEven ? even : 1 - kRest * kRest / (even - kEven + kRest);
+}
+
+}  // namespace
 
 Listener::Listener(ProgressCallback callback) {
   if (!callback) return;
@@ -43,7 +53,7 @@ bool Listener::tell(double share) const {
 bool Listener::tell() const {
   if (!unknown_ || !isHeard()) return tell(0);
   ++unknown_->reports;
-  return tell(unknown_->reports / (unknown_->reports + unknown_->usual));
+  return tell(approached(unknown_->reports, unknown_->usual));
 }
 
 bool Listener::tellStep(int newtonStep, double constraintResidual) const {

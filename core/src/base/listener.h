@@ -30,7 +30,7 @@ class Listener {
   Listener at(Stage stage) const;
   Listener part(Stage stage, double from, double to) const { return at(stage).part(from, to); }
   /// For work of unknown amount: each report without a share comes closer to the end, and passes
-  /// one half after `usual` of them.
+  /// one half after `usual` of them. The first four fifths pass evenly.
   Listener approach(double usual) const;
 
   /// Reports that this share of the work is done, or as much as before if that is more. Returns

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stable_order.h"
 #include "check/boundary_curves.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
@@ -52,8 +53,7 @@ class AtlasChecker {
     for (int round = 0; round < kMostRounds; ++round)
       if (!(mayTouch ? findPair() : findPairOfCurves())) break;
     reportStacked();
-    std::stable_sort(out_.begin(), out_.end(),
-                     [](const ChartDefect& a, const ChartDefect& b) { return a.chart < b.chart; });
+    sortStably(out_, [](const ChartDefect& a, const ChartDefect& b) { return a.chart < b.chart; });
     return std::move(out_);
   }
 

@@ -37,12 +37,25 @@ void add(const Vec3& n, double times, Vec3& sum) {
   for (std::size_t d = 0; d < 3; ++d) sum[d] += times * n[d];
 }
 
+/// Whether an edge is flat, or smooth, whatever is beside its triangles.
+bool isKnownBy(double own) {
+  return kTimesOwn * own < kFlatBend ||
+         (kOfNarrow * own > kFlatBend && kTimesOwn * own < kSmoothBend);
+}
+
 class Walker {
  public:
   explicit Walker(const SeamMesh& mesh) : mesh_(mesh), normal_(triangleNormals(mesh)) {}
 
-  const Vec3& at(SurfaceCorner h) const { return normal_[triangleOf(h)]; }
+  double bend(SurfaceCorner h, double width) const {
+    const SurfaceCorner o = mesh_.twin[h];
+    const double own = angleBetween(normal_[triangleOf(h)], normal_[triangleOf(o)]);
+    if (isKnownBy(own)) return own;
+    const double wide = angleBetween(beside(h, width), beside(o, width));
+    return std::min(wide, kTimesOwn * own) + kOfNarrow * std::max(0.0, own - wide);
+  }
 
+ private:
   /// The mean direction of the surface on the left of a half-edge, from half the distance on. The
   /// way goes straight from the middle of the edge.
   Vec3 beside(SurfaceCorner h, double distance) const {
@@ -64,7 +77,6 @@ class Walker {
     return dot(sum, sum) > 0 ? sum : normal_[triangleOf(h)];
   }
 
- private:
   struct Point {
     double x = 0, y = 0;
   };
@@ -115,10 +127,7 @@ IdVector<SurfaceCorner, double> edgeBends(const SeamMesh& mesh, const Listener& 
   for (const SurfaceCorner h : mesh.corners()) {
     const SurfaceCorner o = mesh.twin[h];
     if (!o.exists() || o < h) continue;
-    const double width = kWidth * size[triangleOf(h)];
-    const double own = angleBetween(walker.at(h), walker.at(o));
-    const double wide = angleBetween(walker.beside(h, width), walker.beside(o, width));
-    const double bend = std::min(wide, kTimesOwn * own) + kOfNarrow * std::max(0.0, own - wide);
+    const double bend = walker.bend(h, kWidth * size[triangleOf(h)]);
     out[h] = out[o] = isConcave(mesh, h) ? -bend : bend;
     listener.beat();
   }

@@ -96,14 +96,13 @@ double costWhere(double signedBend, std::uint8_t breaks) {
   const bool isConcave = signedBend < 0;
   double bend = std::abs(signedBend);
   constexpr double kDegree = kPi / 180;
-  constexpr double kFlat = 1e-3, kSmooth = 10 * kDegree, kBent = 35 * kDegree,
-                   kSharp = 75 * kDegree;
+  constexpr double kBent = 35 * kDegree, kSharp = 75 * kDegree;
   constexpr double kOfFlat = 5, kOfBent = 0.6, kOfConvex = 0.25, kOfConcave = 0.2;
   // What is flat is concave or convex only by rounding.
   if ((breaks & kMaterialBorder) && bend < kSharp) return kOfConvex;
-  if (bend < kFlat) return kOfFlat;
+  if (bend < kFlatBend) return kOfFlat;
   if (breaks & kHardEdge) bend = std::max(bend, kBent);
-  if (bend < kBent) return 1 - (1 - kOfBent) * smoothStep(kSmooth, kBent, bend);
+  if (bend < kBent) return 1 - (1 - kOfBent) * smoothStep(kSmoothBend, kBent, bend);
   return kOfBent -
          (kOfBent - (isConcave ? kOfConcave : kOfConvex)) * smoothStep(kBent, kSharp, bend);
 }

@@ -74,10 +74,8 @@ Rectified rectified(const DiskChart& chart, const std::vector<double>& uv,
   refining.pool = options.pool;
   refining.listener = options.listener;
   refining.level.edges = edgesOf(chart, found.runs);
-  for (const double stiffness : {10.0, 1e4}) {
-    refining.level.stiffness = stiffness;
-    now = refine(chart, std::move(now), refining).uv;
-  }
+  refining.level.stiffness = 1e4;  // as few steps as a weak pull takes
+  now = refine(chart, std::move(now), refining).uv;
   level(chart, found.runs, now);
   fitArea(chart, now);
   if (!checkSeparated(chart, now).valid()) return {{}, 0, found.runs.size()};

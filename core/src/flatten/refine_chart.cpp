@@ -51,8 +51,11 @@ RefineOptions optionsFor(const ChartFlattener& flattener, const RefineConstraint
   out.energy = Energy(constraints.balance);
   out.isFixed = fixedVertices(flattener.chart(), constraints, outline == Outline::Fixed);
   out.maxSolves = solvesFor(flattener.chart(), outline);
-  constexpr double kUnseen = 1e-4;  // far below any bound on stretch
-  if (constraints.mayBeRough) out.leastHeld = kUnseen;
+  // Far below any bound on stretch; a step of a large chart takes a second.
+  constexpr double kUnseen = 1e-4, kHardlySeen = 3e-4;
+  constexpr std::uint32_t kLarge = 20'000;
+  if (constraints.mayBeRough)
+    out.leastHeld = flattener.chart().triangleCount() > kLarge ? kHardlySeen : kUnseen;
   out.eliminationRank = flattener.eliminationRank();
   out.allowedBytes = constraints.allowedBytes;
   out.pool = constraints.pool;

@@ -54,10 +54,19 @@ void countIslands(const MeshLayout& layout, PackReport& report) {
   }
 }
 
+/// Where nothing moves there are no placements.
+double stackScale(const Packing& packing, std::size_t stack) {
+  if (stack >= packing.placements.size()) return packing.scale;
+  const Placement& p = packing.placements[stack];
+  return std::hypot(p.a, p.b);
+}
+
 void measureScale(const MeshLayout& layout, const Packing& packing, PackReport& report) {
   double before = 0, now = 0, covered = 0, onSurface = 0;
-  for (const IslandStack& stack : layout.stacks) {
-    const double growth = packing.scale * stack.factor * packing.scale * stack.factor;
+  for (std::size_t s = 0; s < layout.stacks.size(); ++s) {
+    const IslandStack& stack = layout.stacks[s];
+    const double length = stackScale(packing, s) * stack.factor;
+    const double growth = length * length;
     before += stack.uvArea;
     now += stack.uvArea * growth;
     covered += stack.coveredArea;
@@ -77,8 +86,9 @@ void addNotes(const PackLayoutOptions& options, PackReport& report) {
   };
   note(report.stackedIslands, "island lies on another and moved together with it",
        "islands lie on others and moved together with them");
-  note(report.separated, "island overlapped another by less than half and is apart now",
-       "islands overlapped others by less than half and are apart now");
+  note(report.separated,
+       "island overlapped another by less than half, or one of another material, and is apart now",
+       "islands overlapped others by less than half, or of other materials, and are apart now");
   note(report.unmapped, "face has no texcoords and stays as it was",
        "faces have no texcoords and stay as they were");
 }

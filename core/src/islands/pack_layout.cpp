@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "abflat/inspect.h"
@@ -11,15 +12,28 @@
 #include "base/stopwatch.h"
 #include "islands/describe_layout.h"
 #include "islands/find_islands.h"
+#include "islands/pack_stacks.h"
 #include "islands/place_texcoords.h"
 #include "islands/read_layout.h"
 #include "islands/stack_shapes.h"
-#include "pack/pack.h"
 
 namespace abflat {
 namespace {
 
 Status cancelled() { return {StatusCode::Aborted, "cancelled"}; }
+
+/// All stacks stay that have none of these islands; without islands, none does.
+Status holdOthers(const std::vector<std::uint32_t>& islands, MeshLayout& layout) {
+  if (islands.empty()) return {};
+  for (IslandStack& stack : layout.stacks) stack.isFixed = true;
+  for (const std::uint32_t island : islands) {
+    if (island >= layout.stackOfIsland.size())
+      return {StatusCode::InvalidOption,
+              "island " + std::to_string(island) + " cannot be packed: there is none"};
+    layout.stacks[layout.stackOfIsland[island]].isFixed = false;
+  }
+  return {};
+}
 
 Status noTexcoords() {
   return {StatusCode::NoTexcoords,
@@ -31,25 +45,10 @@ Status checkInput(const PolygonMesh& mesh, const PackLayoutOptions& options) {
   if (mesh.faceCount() == 0) return {StatusCode::EmptyMesh, "the mesh has no faces"};
   if (options.udim && options.texelDensity == kAutoTexelDensity && !options.keepPlaces)
     return {StatusCode::InvalidOption, "udim needs a numeric texel density"};
+  if (options.udim && !options.tileOfIsland.empty() && !options.keepPlaces)
+    return {StatusCode::InvalidOption, "islands whose tiles are given need no udim"};
   if (mesh.faceTexcoords.empty()) return noTexcoords();
   return {};
-}
-
-Result<Packing> packStacks(const MeshLayout& layout, const PackLayoutOptions& options,
-                           ThreadPool& pool, const Listener& listener) {
-  pool.listen(listener);
-  std::vector<PackShape> shapes;
-  shapes.reserve(layout.stacks.size());
-  for (const IslandStack& stack : layout.stacks) {
-    shapes.push_back(shapeOf(stack, layout.triangles.inUv));
-    if (!listener.beat(shapes.back().triangles.size())) return cancelled();
-  }
-  PackOptions how = packOptionsOf(options);
-  how.unit = std::ldexp(1.0, layout.exponent);
-  how.work = usualWork(shapes);
-  how.pool = &pool;
-  how.listener = listener;
-  return pack(std::move(shapes), how);
 }
 
 /// All stay where they are, in as many tiles as they are in.
@@ -66,8 +65,8 @@ Packing keptPlaces(const MeshLayout& layout, const PackLayoutOptions& options) {
   return out;
 }
 
-Result<Packing> placesOf(const MeshLayout& layout, const PackLayoutOptions& options,
-                         ThreadPool& pool, const Listener& listener) {
+Result<Packing> placesOf(MeshLayout& layout, const PackLayoutOptions& options, ThreadPool& pool,
+                         const Listener& listener) {
   if (options.keepPlaces) return keptPlaces(layout, options);
   return packStacks(layout, options, pool, listener);
 }
@@ -85,9 +84,11 @@ Result<PackLayoutResult> packIslands(const PolygonMesh& mesh, const PackLayoutOp
   Islands islands = findIslands(mesh);
   if (islands.count == 0) return noTexcoords();
   if (!packing.tell(0.1)) return cancelled();
-  MeshLayout layout = readLayout(mesh, std::move(islands), packing);
+  // What stays may overlap on purpose.
+  const bool byMaterial = !options.keepPlaces && options.islands.empty();
+  MeshLayout layout = readLayout(mesh, std::move(islands), byMaterial, packing);
   if (packing.isStopped()) return cancelled();
-  if (!options.keepPlaces) setFactors(options.islandSizes, layout.stacks);
+  if (Status s = holdOthers(options.islands, layout); !s.ok()) return s;
   ThreadPool pool(usefulThreads(options.threads, layout.triangles.face.size()));
   out.report.threads = pool.threads();
   const Result<Packing> packed = placesOf(layout, options, pool, packing.part(0.3, 1));

@@ -38,16 +38,28 @@ std::vector<std::optional<std::uint32_t>> firstStacks(const PolygonMesh& mesh,
 }
 
 /// What stays must not change where it has this precision already, nor become infinite.
-void round(const PackLayoutOptions& options, std::vector<double>& uv) {
+void roundStill(Precision precision, std::vector<double>& uv) {
   constexpr double kMost = std::numeric_limits<float>::max();
-  if (options.keepPlaces && options.precision != Precision::Double)
-    for (double& x : uv) x = std::clamp(x, -kMost, kMost);
-  if (options.precision == Precision::Gltf) roundForGltf(uv);
-  if (options.precision != Precision::Single) return;
-  if (options.keepPlaces)
-    roundToSingle(uv);
+  if (precision == Precision::Double) return;
+  for (double& x : uv) x = std::clamp(x, -kMost, kMost);
+  if (precision == Precision::Gltf)
+    roundForGltf(uv);
   else
-    roundInAtlas(uv);
+    roundToSingle(uv);
+}
+
+void roundPlaced(Precision precision, std::vector<double>& uv) {
+  if (precision == Precision::Gltf) roundForGltf(uv);
+  if (precision == Precision::Single) roundInAtlas(uv);
+}
+
+/// `isStill`: per texcoord.
+void round(Precision precision, const std::vector<bool>& isStill, std::vector<double>& uv) {
+  std::vector<double> still = uv;
+  roundStill(precision, still);
+  roundPlaced(precision, uv);
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    if (isStill[i / 2]) uv[i] = still[i];
 }
 
 }  // namespace
@@ -55,9 +67,11 @@ void round(const PackLayoutOptions& options, std::vector<double>& uv) {
 PlacedTexcoords placeTexcoords(const PolygonMesh& mesh, const MeshLayout& layout,
                                const Packing& packing, const PackLayoutOptions& options) {
   PlacedTexcoords out;
+  std::vector<bool> isStill;
   const auto add = [&](std::uint32_t texcoord, std::uint32_t stack) {
     const double* uv = &mesh.texcoords[2 * std::size_t{texcoord}];
-    const auto [u, v] = stack == kNoStack || options.keepPlaces
+    isStill.push_back(options.keepPlaces || (stack != kNoStack && layout.stacks[stack].isFixed));
+    const auto [u, v] = stack == kNoStack || isStill.back()
                             ? std::array<double, 2>{uv[0], uv[1]}
                             : placed(layout.stacks[stack], packing.placements[stack], uv);
     out.uv.insert(out.uv.end(), {u, v});
@@ -78,7 +92,7 @@ PlacedTexcoords placeTexcoords(const PolygonMesh& mesh, const MeshLayout& layout
                         if (isNew) at->second = add(texcoord, stack);
                         out.cornerUv[corner] = at->second;
                       });
-  round(options, out.uv);
+  round(options.precision, isStill, out.uv);
   return out;
 }
 

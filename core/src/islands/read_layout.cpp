@@ -25,6 +25,20 @@ void listTriangles(const PolygonMesh& mesh, const Islands& islands, MeshLayout& 
   out.triangles = mappedTriangles(mesh, islands, all);
 }
 
+IslandMaterials materialsOf(const PolygonMesh& mesh, const MappedTriangles& triangles) {
+  IslandMaterials out(triangles.inUv.islands());
+  for (std::uint32_t i = 0; i < out.size(); ++i) {
+    std::vector<std::uint32_t>& own = out[i];
+    for (std::uint32_t t = triangles.inUv.begin[i]; t < triangles.inUv.begin[i + 1]; ++t) {
+      const std::uint32_t material = mesh.faceMaterials[triangles.face[t]];
+      if (own.empty() || own.back() != material) own.push_back(material);
+    }
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+  }
+  return out;
+}
+
 }  // namespace
 
 std::uint32_t MeshLayout::stackOf(std::uint32_t face) const {
@@ -32,12 +46,16 @@ std::uint32_t MeshLayout::stackOf(std::uint32_t face) const {
   return island == kNoIsland ? kNoStack : stackOfIsland[island];
 }
 
-MeshLayout readLayout(const PolygonMesh& mesh, Islands islands, const Listener& listener) {
+MeshLayout readLayout(const PolygonMesh& mesh, Islands islands, bool byMaterial,
+                      const Listener& listener) {
   MeshLayout out;
   listTriangles(mesh, islands, out);
   out.islandOfFace = std::move(islands.ofFace);
   if (!listener.tell(0.2)) return out;
-  const IslandStacks found = stackIslands(out.triangles.inUv, listener);
+  const bool hasMaterials = byMaterial && !mesh.faceMaterials.empty();
+  const IslandStacks found =
+      stackIslands(out.triangles.inUv,
+                   hasMaterials ? materialsOf(mesh, out.triangles) : IslandMaterials(), listener);
   if (listener.isStopped()) return out;
   out.separated = static_cast<std::size_t>(
       std::count(found.overlapsOthers.begin(), found.overlapsOthers.end(), 1));

@@ -27,7 +27,9 @@ struct MeshLayout {
   std::uint32_t stackOf(std::uint32_t face) const;
 };
 
-/// Incomplete once `listener` has stopped.
-MeshLayout readLayout(const PolygonMesh& mesh, Islands islands, const Listener& listener);
+/// `byMaterial`: islands of different materials are no stack. Incomplete once `listener` has
+/// stopped.
+MeshLayout readLayout(const PolygonMesh& mesh, Islands islands, bool byMaterial,
+                      const Listener& listener);
 
 }  // namespace abflat

@@ -27,8 +27,10 @@ bool isIn(const double* p, const double* t) {
 
 class IslandStacker {
  public:
-  IslandStacker(const IslandTriangles& triangles, const Listener& listener)
+  IslandStacker(const IslandTriangles& triangles, const IslandMaterials& materials,
+                const Listener& listener)
       : triangles_(triangles),
+        materials_(materials),
         listener_(listener),
         stacks_(triangles.islands()),
         copied_(triangles.islands()) {
@@ -71,22 +73,32 @@ class IslandStacker {
     return out;
   }
 
+  /// Those of different materials have textures of their own.
+  bool shareMaterial(std::uint32_t i, std::uint32_t j) const {
+    if (materials_.empty()) return true;
+    const auto &a = materials_[i], &b = materials_[j];
+    return std::any_of(a.begin(), a.end(), [&](std::uint32_t material) {
+      return std::binary_search(b.begin(), b.end(), material);
+    });
+  }
+
   /// Whether two islands cover the same.
   bool compare(std::uint32_t i, std::uint32_t j) {
     if (area_[i] > area_[j]) std::swap(i, j);
-    const bool isSameBox = boxes_[i] == boxes_[j];
+    const bool isSameBox = boxes_[i] == boxes_[j], mayStack = shareMaterial(i, j);
     if (!(area_[i] > 0)) {
+      if (!mayStack) return false;
       if (isSameBox || contains(j, i)) stacks_.join(i, j);
       return isSameBox && !(area_[j] > 0);
     }
     if (!isSameBox && stacks_.leastOf(i) == stacks_.leastOf(j)) return false;
     listener_.beat(triangles_.count(i) + triangles_.count(j));
     const double common = commonArea(spansOf(i, i), spansOf(j, i));
-    if (common >= kStacked * area_[i])
+    if (mayStack && common >= kStacked * area_[i])
       stacks_.join(i, j);
     else if (common > kOverlaps * area_[i])
       overlaps_.push_back({i, j});
-    return isSameBox && common >= kSame * area_[j];
+    return mayStack && isSameBox && common >= kSame * area_[j];
   }
 
   /// Whether all points of `inner` are in triangles of `island`.
@@ -116,6 +128,7 @@ class IslandStacker {
   }
 
   const IslandTriangles& triangles_;
+  const IslandMaterials& materials_;
   const Listener& listener_;
   DisjointSets stacks_;
   std::vector<UvBox> boxes_;
@@ -127,8 +140,9 @@ class IslandStacker {
 
 }  // namespace
 
-IslandStacks stackIslands(const IslandTriangles& triangles, const Listener& listener) {
-  return IslandStacker(triangles, listener).run();
+IslandStacks stackIslands(const IslandTriangles& triangles, const IslandMaterials& materials,
+                          const Listener& listener) {
+  return IslandStacker(triangles, materials, listener).run();
 }
 
 }  // namespace abflat

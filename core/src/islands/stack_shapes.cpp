@@ -63,7 +63,7 @@ std::vector<IslandStack> listStacks(const IslandTriangles& triangles,
   return out;
 }
 
-void setFactors(IslandSizes sizes, std::vector<IslandStack>& stacks) {
+double setFactors(IslandSizes sizes, std::vector<IslandStack>& stacks) {
   double onSurface = 0, inUv = 0;
   for (const IslandStack& stack : stacks) {
     onSurface += stack.surfaceArea;
@@ -74,8 +74,9 @@ void setFactors(IslandSizes sizes, std::vector<IslandStack>& stacks) {
     const double own = areaRatio(stack.surfaceArea, stack.uvArea);
     const bool isEven = sizes == IslandSizes::Even && own > 0;
     const double area = isEven ? own : mean;
-    stack.factor = area > 0 ? std::sqrt(area) : 1;
+    stack.factor = area > 0 && !stack.isFixed ? std::sqrt(area) : 1;
   }
+  return mean > 0 ? std::sqrt(mean) : 1;
 }
 
 PackShape shapeOf(const IslandStack& stack, const IslandTriangles& triangles) {
@@ -88,12 +89,16 @@ PackShape shapeOf(const IslandStack& stack, const IslandTriangles& triangles) {
       stableOrder(count, [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
   PackShape out;
   out.isPosed = true;
+  out.isFixed = stack.isFixed;
+  const auto placed = [&](double x, std::size_t d) {
+    return stack.isFixed ? x : (x - stack.middle(d)) * stack.factor;
+  };
   out.coveredArea = stack.coveredArea * stack.factor * stack.factor;
   out.triangles.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     const auto& p = points[order[k]];
     if (k == 0 || p != points[order[k - 1]])
-      for (std::size_t d = 0; d < 2; ++d) out.uv.push_back((p[d] - stack.middle(d)) * stack.factor);
+      for (std::size_t d = 0; d < 2; ++d) out.uv.push_back(placed(p[d], d));
     out.triangles[order[k]] = static_cast<std::uint32_t>(out.uv.size() / 2 - 1);
   }
   out.triangles = counterClockwise(out);

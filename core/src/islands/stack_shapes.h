@@ -17,6 +17,7 @@ struct IslandStack {
   double uvArea = 0;       ///< of all triangles
   double surfaceArea = 0;  ///< in 3D
   double factor = 1;       ///< length in its shape per length in uv
+  bool isFixed = false;    ///< it stays where it is
 
   double middle(std::size_t axis) const { return (box.low[axis] + box.high[axis]) / 2; }
 };
@@ -30,11 +31,12 @@ std::vector<IslandStack> listStacks(const IslandTriangles& triangles,
 /// a / b, or 0 unless both are positive.
 inline double areaRatio(double a, double b) { return a > 0 && b > 0 ? a / b : 0; }
 
-/// Gives shapes about the area of their surface, so that a texel density can be asked for.
-void setFactors(IslandSizes sizes, std::vector<IslandStack>& stacks);
+/// Gives shapes about the area of their surface, so that a texel density can be asked for. Returns
+/// the factor that keeps the size of all stacks together.
+double setFactors(IslandSizes sizes, std::vector<IslandStack>& stacks);
 
-/// Its triangles around its middle, all counter-clockwise, so that what is mirrored or folded
-/// covers as much as anything else.
+/// Its triangles around its middle, or where they are if they stay, all counter-clockwise, so that
+/// what is mirrored or folded covers as much as anything else.
 PackShape shapeOf(const IslandStack& stack, const IslandTriangles& triangles);
 
 }  // namespace abflat

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/invalid.h"
+#include "base/stable_order.h"
 #include "mesh/corner_table.h"
 
 namespace abflat {
@@ -29,16 +30,14 @@ std::vector<Use> findUses(const InputMesh& mesh, const Texcoords& texcoords,
     for (InputCorner c(mesh.firstCorner(f)); c < mesh.firstCorner(f + 1); ++c)
       if (isPinned[mesh.vertex(c)] && texcoords.ofCorner[c].exists())
         uses.push_back({mesh.vertex(c), f, texcoords.ofCorner[c]});
-  std::stable_sort(uses.begin(), uses.end(),
-                   [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
+  sortStably(uses, [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
   return uses;
 }
 
 /// The first face of each texcoord, as text.
 std::string facesToChoose(std::vector<Use> uses) {
   constexpr std::size_t kMost = 8;
-  std::stable_sort(uses.begin(), uses.end(),
-                   [](const Use& a, const Use& b) { return a.texcoord < b.texcoord; });
+  sortStably(uses, [](const Use& a, const Use& b) { return a.texcoord < b.texcoord; });
   std::string out;
   std::size_t count = 0;
   for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -91,7 +90,7 @@ std::string bothNames(const Found& a, const Found& b) {
 /// Sorts by texcoord.
 Status checkApart(std::vector<Found>& found) {
   const auto sameNext = [&](auto&& less) {
-    std::stable_sort(found.begin(), found.end(), less);
+    sortStably(found, less);
     return std::adjacent_find(found.begin(), found.end(),
                               [&](const Found& a, const Found& b) { return !less(a, b); });
   };

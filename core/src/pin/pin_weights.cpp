@@ -6,6 +6,7 @@
 
 #include "base/guarded.h"
 #include "base/invalid.h"
+#include "base/stable_order.h"
 #include "mesh/triangle_geometry.h"
 #include "pin/pinned_layout.h"
 
@@ -62,7 +63,7 @@ IdVector<BoundaryIndex, ChartCorner> boundaryOf(
     const ChartVertex from = vertexOfCorner[c], to = vertexOfCorner[nextCorner(c)];
     edges.push_back({std::min(from, to), std::max(from, to), c});
   }
-  std::stable_sort(edges.begin(), edges.end(), isBefore);
+  sortStably(edges, isBefore);
   IdVector<BoundaryIndex, ChartCorner> out;
   for (auto first = edges.begin(); first != edges.end();) {
     const auto last = std::upper_bound(first, edges.end(), *first, isBefore);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stable_order.h"
 #include "check/validity.h"
 #include "mesh/triangle_geometry.h"
 
@@ -158,7 +159,7 @@ std::vector<ForeseenContacts::Spring> ForeseenContacts::crossed(const std::vecto
 
 /// Keeps only what each point meets first.
 void ForeseenContacts::keepFirst(std::vector<Spring>& springs) {
-  std::stable_sort(springs.begin(), springs.end(), [](const Spring& a, const Spring& b) {
+  sortStably(springs, [](const Spring& a, const Spring& b) {
     return a.point != b.point     ? a.point < b.point
            : a.moment != b.moment ? a.moment < b.moment
                                   : a.gap < b.gap;

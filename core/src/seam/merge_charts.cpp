@@ -55,7 +55,9 @@ class Merger {
 
  private:
   std::uint32_t joinAll() {
-    constexpr int kMostFruitless = 3;  // runs that share charts with longer ones get a turn
+    // Runs that share charts with longer ones get a turn, unless that takes long.
+    constexpr std::size_t kLarge = 200000;  // triangles
+    const int mostFruitless = mesh_.triangleCount() > kLarge ? 1 : 3;
     std::uint32_t done = 0;
     int fruitless = 0;
     while (listener_.tell()) {
@@ -64,7 +66,7 @@ class Merger {
       if (runs.empty()) break;
       const std::uint32_t now = joinWherePossible(runs, std::move(apart));
       fruitless = now == 0 ? fruitless + 1 : 0;
-      if (fruitless == kMostFruitless && !isHinge_) break;
+      if (fruitless == mostFruitless && !isHinge_) break;
       done += now;
     }
     return done;

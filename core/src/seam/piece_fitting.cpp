@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/stable_order.h"
+
 namespace abflat {
 namespace {
 
@@ -250,8 +252,7 @@ bool PieceFitting::cutBest(const Placed& isPlaced, double missing, double side, 
     return std::make_pair(std::round(mostOf(c) / (c.cost * unit_) / kAlike),
                           std::round(c.chord.smallerShare() / kAlike));
   };
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [&](const Candidate& a, const Candidate& b) { return rank(a) > rank(b); });
+  sortStably(candidates, [&](const Candidate& a, const Candidate& b) { return rank(a) > rank(b); });
   std::vector<std::uint32_t> asked;
   asked.reserve(candidates.size());
   for (const Candidate& c : candidates) asked.push_back(c.piece);

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/stable_order.h"
 #include "seam/path_forest.h"
 
 namespace abflat {
@@ -24,7 +25,7 @@ std::vector<Pocket> pocketsOf(const CutSurface& s, const std::vector<SurfaceCorn
   for (const SurfaceCorner h : doubled)
     if (!s.twin[h].exists() || h < s.twin[h])
       edges.push_back({std::min(s.tail(h), s.head(h)), std::max(s.tail(h), s.head(h)), h});
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+  sortStably(edges, [](const Edge& a, const Edge& b) {
     return std::tie(a.low, a.high, a.half) < std::tie(b.low, b.high, b.half);
   });
   std::vector<Pocket> out;

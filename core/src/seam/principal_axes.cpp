@@ -1,9 +1,9 @@
 #include "seam/principal_axes.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/few_bits.h"
+#include "base/stable_order.h"
 
 namespace abflat {
 namespace {
@@ -37,10 +37,8 @@ Matrix eigenvectors(Matrix a) {
             (*m)[q][i] = s * x + c * y;
           }
       }
-  std::array<std::size_t, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return inFewBits(a[i][i]) > inFewBits(a[j][j]);
-  });
+  const std::vector<std::uint32_t> order = stableOrder(
+      3, [&](std::uint32_t i, std::uint32_t j) { return inFewBits(a[i][i]) > inFewBits(a[j][j]); });
   return {v[order[0]], v[order[1]], v[order[2]]};
 }
 

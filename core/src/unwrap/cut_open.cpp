@@ -63,6 +63,7 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const Se
   // another run.
   constexpr double kShare = 0.85, kTighter = 0.5;
   if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
+  toBegin.isAuto = toBegin.isAuto && !variant.isUncut;
   if (variant.isTighter) toBegin.maxStretch = 1 + kTighter * (toBegin.maxStretch - 1);
   if (variant.before)
     toBegin.eliminationRanks = ranksOf(*variant.before, uncut.welded.mesh.vertexCount(), open);
@@ -114,7 +115,7 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Sea
   SeamReport found;
   OpenSurface open = openWith(uncut, asked, variant, options, pool, listener, found);
   const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
-  if (options.seams.isAuto && !isSymmetric && !listener.isStopped())
+  if (options.seams.isAuto && !variant.isUncut && !isSymmetric && !listener.isStopped())
     openPlates(uncut, asked, variant, options, pool, listener, open, found);
   summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;

@@ -11,6 +11,7 @@ struct FlatCut {
   LaidCharts charts;
   IdVector<ChartId, ChartConstraints> constraints;  ///< on the charts
   IdVector<SurfaceTriangle, double> hidden;  ///< see occlusion(); empty until it is asked for
+  bool isGivenUp = false;  ///< some charts have no layout, since others are better anyway
 };
 
 }  // namespace abflat

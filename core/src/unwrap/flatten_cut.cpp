@@ -14,6 +14,7 @@
 #include "unwrap/pieces.h"
 #include "unwrap/pinned.h"
 #include "unwrap/stretch.h"
+#include "unwrap/variants.h"
 
 namespace abflat {
 
@@ -84,9 +85,10 @@ Status CutFlattener::flatten(FlatCut& cut) const {
   FlatCharts& flat = cut.charts.flat;
   if (Status s = layOutFixed(meshOf(cut), with_.fixed, with_.options, flat); !s.ok()) return s;
   if (Status s = checkUnpinned(cut.charts.set, cut.constraints, flat); !s.ok()) return s;
+  if (giveUp(cut)) return {};
   Rounds rounds(with_.listener);
   if (Status s = layOut(cut, rounds.now()); !s.ok()) return s;
-  if (Status s = cutWhileStretched(cut, kMostRounds, rounds); !s.ok()) return s;
+  if (Status s = cutWhileStretched(cut, kMostRounds, rounds); !s.ok() || cut.isGivenUp) return s;
   if (Status s = endSearch(cut, rounds.now()); !s.ok()) return s;
   return halveRuined(cut, rounds);
 }
@@ -108,12 +110,17 @@ Status CutFlattener::cutWhileStretched(FlatCut& cut, int mostRounds, Rounds& rou
     with_.times.book(with_.stage);
     const bool isCut = cutFurther(cut, rounds.now());
     with_.times.book(&UnwrapStages::seams);
-    if (!isCut || with_.listener.isStopped()) break;
+    if (!isCut || with_.listener.isStopped() || giveUp(cut)) break;
     if (Status s = takeChartsAnew(cut); !s.ok()) return s;
     dropGivenUp(cut.charts.flat);
     if (Status s = layOut(cut, rounds.now()); !s.ok()) return s;
   }
   return {};
+}
+
+bool CutFlattener::giveUp(FlatCut& cut) const {
+  cut.isGivenUp = with_.rival && isHopeless(with_.options, *with_.rival, cut);
+  return cut.isGivenUp;
 }
 
 bool CutFlattener::cutFurther(FlatCut& cut, const Listener& listener) const {

@@ -21,6 +21,8 @@ struct FlattenSettings {
   double UnwrapStages::*stage = &UnwrapStages::solve;  ///< whose time layouts take
   /// A search for seams takes no notice of pins and of what is known, so that these change none.
   bool isSearch = false;
+  /// What is known already: flatten() gives up what cannot become better. Null: it never gives up.
+  FlatCut* rival = nullptr;
 };
 
 /// Lays out the charts of cut surfaces, and cuts them further where they are stretched too much.
@@ -43,7 +45,8 @@ class CutFlattener {
   /// Lays out charts that have no layout yet.
   Status layOut(FlatCut& cut) const;
 
-  /// Flattens all charts, and cuts those further that are stretched more than predicted.
+  /// Flattens all charts, and cuts those further that are stretched more than predicted, unless
+  /// that is hopeless.
   Status flatten(FlatCut& cut) const;
 
   /// Lays out pieces that cannot keep their place in the former chart's layout. Pieces that are
@@ -68,6 +71,7 @@ class CutFlattener {
   Result<bool> halve(FlatCut& cut, const IdVector<ChartId, std::uint8_t>& isAsked) const;
   Status cutWhileStretched(FlatCut& cut, int mostRounds, Rounds& rounds) const;
   bool cutFurther(FlatCut& cut, const Listener& listener) const;
+  bool giveUp(FlatCut& cut) const;
   Status endSearch(FlatCut& cut, const Listener& listener) const;
   CutMesh meshOf(const FlatCut& cut) const { return {with_.map, cut.charts.set}; }
 

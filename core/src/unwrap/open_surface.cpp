@@ -20,16 +20,20 @@ IdVector<InputVertex, std::uint32_t> ranksOfMesh(const OpenSurface& open, std::s
 
 namespace {
 
-/// The mean of each chart's triangles.
-IdVector<ChartId, double> leewayOfCharts(const SeamMesh& mesh, const ChartSet& set) {
+/// The mean of each chart's triangles. A mask without a seam may be stretched even more.
+IdVector<ChartId, double> leewayOfCharts(const OpenSurface& open, const ChartSet& set) {
+  constexpr double kOfMask = 1.5;
+  const SeamMesh& mesh = open.mesh;
   IdVector<ChartId, double> out;
   for (const ChartId i : set.ids()) {
     double area = 0, sum = 0;
+    bool isUncut = true;
     for (const SurfaceTriangle f : set.topology(i).triangles) {
       area += mesh.area[f];
-      sum += mesh.area[f] * mesh.leewayAt(f);
+      sum += mesh.area[f] * (mesh.leewayAt(f) - 1);
+      for (const SurfaceCorner h : cornersOf(f)) isUncut = isUncut && !open.seams[h];
     }
-    out.push_back(area > 0 ? sum / area : 1);
+    out.push_back(1 + (area > 0 ? (isUncut ? kOfMask : 1) * sum / area : 0));
   }
   return out;
 }
@@ -40,7 +44,7 @@ ChartSet chartsOf(const WeldedMesh& welded, const OpenSurface& open) {
   ChartSet out = makeCharts(welded.mesh, filledTable(open.mesh, open.inputVertex, open.seams));
   // Charts are factored in the order found for the whole surface.
   out.eliminationRank = ranksOfMesh(open, welded.mesh.vertexCount());
-  if (!open.mesh.front.empty()) out.leeway = leewayOfCharts(open.mesh, out);
+  if (!open.mesh.front.empty()) out.leeway = leewayOfCharts(open, out);
   return out;
 }
 

@@ -56,11 +56,11 @@ bool take(const DiskChart& chart, std::vector<double> places, double gain,
 }
 
 /// What to try in turn: where some sides cannot become straight, straighter ones may. That takes
-/// little time for small charts.
+/// little time for small charts; of large ones only what is likely to be worth it is tried.
 std::vector<LevelLimits> limitsFor(const DiskChart& chart) {
   constexpr std::uint32_t kSmall = 20000;
   constexpr double kDegree = kPi / 180;
-  if (chart.triangleCount() > kSmall) return {{}};
+  if (chart.triangleCount() > kSmall) return {{0.4, 10 * kDegree}};
   return {{0.25, 20 * kDegree}, {0.25, 12 * kDegree}, {0.25, 7 * kDegree}};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "seam/vary_costs.h"
 #include "unwrap/open_and_fill.h"
 
 namespace abflat {
@@ -8,7 +9,13 @@ namespace abflat {
 struct SeamVariant {
   int costs = 0;                        ///< see varyCosts
   bool isTighter = false;               ///< within half the bound of the stretch
+  bool isUncut = false;                 ///< only what is needed to lie flat, however stretched
   const OpenSurface* before = nullptr;  ///< what another search found; null: this is the first one
 };
+
+/// Whether it is made because people look at some of the seams.
+inline bool isForFront(const SeamVariant& variant) {
+  return variant.isUncut || isForFront(variant.costs);
+}
 
 }  // namespace abflat

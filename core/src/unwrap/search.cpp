@@ -1,8 +1,8 @@
 #include "unwrap/search.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "seam/vary_costs.h"
 #include "unwrap/cut_open.h"
 #include "unwrap/known.h"
 #include "unwrap/layouts.h"
@@ -13,13 +13,45 @@
 namespace abflat {
 namespace {
 
+/// So many in a row end the search.
+constexpr int kMostFruitless = 3;
+/// How likely a search for the front is made after one that found seams there.
+constexpr double kStillCut = 0.75;
+
+/// How many searches are expected, each of which may be the last.
+class Expected {
+ public:
+  /// `front`: how likely one for the front is made.
+  Expected(const std::vector<SeamVariant>& variants, double front)
+      : variants_(variants), front_(front) {}
+
+  /// From one of them on. `fruitless`: so far.
+  double from(std::size_t k, int fruitless) const {
+    if (k == variants_.size()) return 0;
+    if (isForFront(variants_[k])) return front_ + after(k, fruitless);
+    const bool isLeftOut = fruitless >= kMostFruitless && !variants_[k].isTighter;
+    return isLeftOut ? from(k + 1, fruitless) : 1 + after(k, fruitless);
+  }
+
+  /// After one of them.
+  double after(std::size_t k, int fruitless) const {
+    if (isForFront(variants_[k])) return from(k + 1, fruitless);
+    // How often one finds better seams, by measurement.
+    const double better = variants_[k].isTighter ? 0.05 : 0.25;
+    return better * from(k + 1, 0) + (1 - better) * from(k + 1, fruitless + 1);
+  }
+
+ private:
+  const std::vector<SeamVariant>& variants_;
+  double front_;
+};
+
 Status cutAgain(const SearchInput& input, const SeamVariant& variant, const CutFlattener& flattener,
-                FlatCut& cut) {
+                const Listener& ofSeams, FlatCut& cut) {
   const FlattenSettings& with = flattener.settings();
   SeamSummary summary;  // that of the first search holds
   with.times.book(&UnwrapStages::solve);
-  cut.open =
-      cutOpen(input.uncut, input.asked, variant, with.options, with.pool, with.listener, summary);
+  cut.open = cutOpen(input.uncut, input.asked, variant, with.options, with.pool, ofSeams, summary);
   with.times.book(&UnwrapStages::seams);
   if (with.listener.isStopped()) return {};
   if (Status s = flattener.takeCharts(cut); !s.ok()) return s;
@@ -28,18 +60,25 @@ Status cutAgain(const SearchInput& input, const SeamVariant& variant, const CutF
 
 /// Cuts the surface in other ways, too, and keeps what turns out best.
 Status tryOthers(const SearchInput& input, const std::vector<SeamVariant>& variants,
-                 const CutFlattener& flattener, FlatCut& best) {
-  constexpr int kMostFruitless = 3;
-  const FlattenSettings& with = flattener.settings();
+                 FlattenSettings with, Passes passes, FlatCut& best) {
   int fruitless = isSettled(with.options, best) ? kMostFruitless : 0;
-  for (SeamVariant variant : variants) {
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    SeamVariant variant = variants[k];
     if (fruitless >= kMostFruitless && !variant.isTighter) continue;
+    const bool isFront = isForFront(variant);
+    if (isFront && !isCutInFront(best.open)) continue;
+    passes.next(Expected(variants, kStillCut).after(k, fruitless));
+    with.listener = passes.layouts().at(Stage::Solve);
     FlatCut other;
     variant.before = &best.open;
-    if (Status s = cutAgain(input, variant, flattener, other); !s.ok()) return s;
+    if (Status s =
+            cutAgain(input, variant, CutFlattener(with), passes.seams().at(Stage::Solve), other);
+        !s.ok())
+      return s;
     if (with.listener.isStopped()) break;
-    const bool isBetter = takeBetter(input.uncut.welded, with.options, best, other);
-    if (!isForFront(variant.costs)) fruitless = isBetter ? 0 : fruitless + 1;
+    const bool isBetter =
+        !other.isGivenUp && takeBetter(input.uncut.welded, with.options, best, other);
+    if (!isFront) fruitless = isBetter ? 0 : fruitless + 1;
   }
   return {};
 }
@@ -80,13 +119,22 @@ Status layOutAsAsked(const CutFlattener& flattener, FlatCut& cut) {
 
 }  // namespace
 
+double expectedSearches(std::size_t triangles) {
+  constexpr double kHasFront = 0.1;
+  return Expected(variantsWorth(triangles, 1), kHasFront).from(0, 0);
+}
+
+double expectedSearches(const std::vector<SeamVariant>& variants, const OpenSurface& open) {
+  return Expected(variants, isCutInFront(open) ? kStillCut : 0).from(0, 0);
+}
+
 Status searchMore(const SearchInput& input, const std::vector<SeamVariant>& variants,
-                  const FlattenSettings& settings, FlatCut& cut) {
+                  const FlattenSettings& settings, Passes passes, FlatCut& cut) {
   FlattenSettings searching = settings;
   searching.isSearch = true;
-  const CutFlattener flattener(std::move(searching));
-  if (Status s = tryOthers(input, variants, flattener, cut); !s.ok()) return s;
-  if (Status s = joinSmall(flattener, cut); !s.ok()) return s;
+  searching.rival = &cut;
+  if (Status s = tryOthers(input, variants, searching, std::move(passes), cut); !s.ok()) return s;
+  if (Status s = joinSmall(CutFlattener(searching), cut); !s.ok()) return s;
   return settings.listener.isStopped() ? Status() : layOutAsAsked(CutFlattener(settings), cut);
 }
 

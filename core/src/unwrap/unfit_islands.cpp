@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stable_order.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
 #include "mesh/triangle_geometry.h"
@@ -108,7 +109,7 @@ class UnfitIslands {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < islands_.size(); ++i)
       if (islands_[i].trouble.empty()) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    sortStably(order, [&](std::size_t i, std::size_t j) {
       const Island &a = islands_[i], &b = islands_[j];
       return a.isChart != b.isChart ? a.isChart : a.area > b.area;
     });

@@ -38,9 +38,6 @@
 namespace abflat {
 namespace {
 
-/// How often the search for seams reports until about half of it is done; by measurement.
-double usualReports(std::size_t triangles) { return 40 + 3e-4 * static_cast<double>(triangles); }
-
 std::size_t upAxisOf(const InputMesh& input, Up up) {
   return up == Up::Z || (up == Up::Auto && input.extras().isZUp) ? 2 : 1;
 }
@@ -170,17 +167,21 @@ Result<UnwrapResult> unwrapInUnits(const InputMesh& input, const UnwrapOptions& 
   if (fixed.isFixed.empty())
     truePositions = hideUnseen(read.value(), options, unit, listener, report.notes);
   const UncutSurface uncut{welded, unit, surface, fixed};
+  const std::size_t triangles = surface.table.triangles().size();
+  const bool isSearched = canCut(options) && fixed.isFixed.empty();
+  Passes passes(listener, triangles);
+  passes.next(isSearched ? expectedSearches(triangles) : 0);
   FlatCut cut;
-  cut.open = cutOpen(uncut, cuts, {}, options, pool,
-                     kSeams.of(listener).approach(usualReports(surface.table.triangles().size())),
-                     report.seams);
+  cut.open = cutOpen(uncut, cuts, {}, options, pool, passes.seams().at(Stage::Seams), report.seams);
   std::vector<SeamVariant> variants;
-  if (canCut(options) && fixed.isFixed.empty())
-    variants = variantsWorth(surface.table.triangles().size(), shareInFront(cut.open.mesh));
+  if (isSearched)
+    variants = variantsWorth(triangles, shareInFront(cut.open.mesh), hasMask(cut.open));
+  passes.expect(expectedSearches(variants, cut.open));
   if (variants.empty()) surface.fans = Fans();
   listener.tell();
   if (listener.isStopped()) return aborted();
-  FlattenSettings settings{map, fixed, options, pool, kSolve.of(listener), stages.times()};
+  FlattenSettings settings{map,           fixed, options, pool, passes.layouts().at(Stage::Solve),
+                           stages.times()};
   settings.isSearch = !variants.empty();
   const CutFlattener flattener(settings);
   if (Status s = flattener.takeCharts(cut); !s.ok()) return s;
@@ -188,9 +189,9 @@ Result<UnwrapResult> unwrapInUnits(const InputMesh& input, const UnwrapOptions& 
   if (!stages.enter(kSolve)) return aborted();
   if (Status s = flattener.flatten(cut); !s.ok()) return s;
   settings.isSearch = false;
-  settings.listener = kSolve.of(listener).part(0, 0);  // what follows takes no share of the bar
+  settings.listener = kSolve.of(listener).part(0, 0);  // of the rest only searches take a share
   if (!variants.empty())
-    if (Status s = searchMore({uncut, cuts}, variants, settings, cut); !s.ok()) return s;
+    if (Status s = searchMore({uncut, cuts}, variants, settings, passes, cut); !s.ok()) return s;
   surface.fans = Fans();
   rectifyAll(options, unit, pool, settings.listener, cut.charts);
 

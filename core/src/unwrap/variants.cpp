@@ -16,13 +16,21 @@ namespace {
 /// What costs hardly less is as good, so that it is not rounding that decides.
 constexpr double kClearly = 1 - 1e-6;
 
+Seams givenSeams(const OpenSurface& open) {
+  Seams out(open.mesh.twin.size(), 0);
+  // Where the mesh is open along them, the twin is that of a hole's filling, if there is one.
+  for (const SurfaceCorner h : open.given.ids()) out[h] = open.given[h] && open.mesh.isOnSurface(h);
+  return out;
+}
+
 /// A cut surface and what is known of its components, which given seams separate.
 class CutValue {
  public:
-  CutValue(const FlatCut& cut, const UnwrapOptionValues& options)
-      : mesh_(cut.open.mesh),
-        whole_(cutAlong(mesh_, givenSeams(cut.open))),
-        parts_(whole_.charts.size(), {}) {
+  explicit CutValue(const OpenSurface& open)
+      : mesh_(open.mesh),
+        whole_(cutAlong(mesh_, givenSeams(open))),
+        parts_(whole_.charts.size(), {}) {}
+  CutValue(const FlatCut& cut, const UnwrapOptionValues& options) : CutValue(cut.open) {
     addCharts(cut.charts, options);
   }
 
@@ -80,14 +88,6 @@ class CutValue {
     RightAngled outline;
   };
 
-  static Seams givenSeams(const OpenSurface& open) {
-    Seams out(open.mesh.twin.size(), 0);
-    // Where the mesh is open along them, the twin is that of a hole's filling, if there is one.
-    for (const SurfaceCorner h : open.given.ids())
-      out[h] = open.given[h] && open.mesh.isOnSurface(h);
-    return out;
-  }
-
   void addCharts(const LaidCharts& charts, const UnwrapOptionValues& options) {
     constexpr double kChart = 0.1, kStretch = 5, kBad = 10;
     for (const ChartId i : charts.set.ids()) {
@@ -130,13 +130,18 @@ bool haveSameParts(const OpenSurface& a, const OpenSurface& b) {
          isEqual(a.mesh.vertexOfCorner, b.mesh.vertexOfCorner) && isEqual(a.given, b.given);
 }
 
-/// Symmetric seams may cost a little more, and others do not replace them.
-bool isBetterAsAWhole(const CutValue& now, const CutValue& then, const FlatCut& best,
-                      const FlatCut& other) {
+bool areComparedAsAWhole(const OpenSurface& best, const OpenSurface& other) {
+  return best.mirror || other.mirror || !haveSameParts(best, other);
+}
+
+/// Symmetric seams may cost a little more.
+bool isBetterAsAWhole(const CutValue& now, const CutValue& then, const OpenSurface& best,
+                      const OpenSurface& other) {
   constexpr double kSymmetric = 1.1;
-  const bool was = static_cast<bool>(best.open.mirror), is = static_cast<bool>(other.open.mirror);
-  if (now.unrolls() || (was && !is)) return false;
-  return then.total() < now.total() * (is && !was ? kSymmetric : kClearly);
+  const bool was = static_cast<bool>(best.mirror), is = static_cast<bool>(other.mirror);
+  if (now.unrolls()) return false;
+  const double most = is == was ? kClearly : is ? kSymmetric : 1 / kSymmetric;
+  return then.total() < most * now.total();
 }
 
 void takeSeams(const CutSurface& whole, const IdVector<CutChartId, std::uint8_t>& isTaken,
@@ -159,11 +164,15 @@ void takeSeams(const CutSurface& whole, const IdVector<CutChartId, std::uint8_t>
 
 }  // namespace
 
-std::vector<SeamVariant> variantsWorth(std::size_t triangles, double inFront) {
+std::vector<SeamVariant> variantsWorth(std::size_t triangles, double inFront, bool hasMask) {
   constexpr std::size_t kTriangles = 20000;        // about half a second
   constexpr std::size_t kMostWithFront = 120'000;  // about three seconds for each
   constexpr double kLeastInFront = 0.02;           // less is not what people look at
   std::vector<SeamVariant> out;
+  if (hasMask && triangles <= kMostWithFront) {
+    out.emplace_back();
+    out.back().isUncut = true;
+  }
   if (inFront >= kLeastInFront && triangles <= kMostWithFront)
     for (int k = 1; k <= kFrontVariants; ++k) out.push_back({kCostVariants + k});
   const std::size_t others = triangles == 0 ? 0 : kTriangles / triangles;
@@ -171,6 +180,19 @@ std::vector<SeamVariant> variantsWorth(std::size_t triangles, double inFront) {
   for (int k = 1; k <= static_cast<int>(std::min<std::size_t>(others, kCostVariants)); ++k)
     out.push_back({k});
   return out;
+}
+
+bool hasMask(const OpenSurface& open) {
+  constexpr double kMostly = 0.5;
+  const SeamMesh& mesh = open.mesh;
+  if (mesh.front.empty()) return false;
+  const CutSurface whole = cutAlong(mesh, givenSeams(open));
+  IdVector<CutChartId, double> inFront(whole.charts.size(), 0);
+  for (const SurfaceTriangle f : mesh.triangles())
+    inFront[whole.chartOfTriangle[f]] += mesh.area[f] * mesh.frontAt(f);
+  for (const CutChartId c : whole.charts.ids())
+    if (whole.charts[c].isDisk() && inFront[c] > kMostly * whole.charts[c].area) return true;
+  return false;
 }
 
 double costOf(const UnwrapOptionValues& options, FlatCut& cut) {
@@ -181,11 +203,33 @@ bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut) {
   return CutValue(cut, options).unrolls();
 }
 
+bool isCutInFront(const OpenSurface& open) {
+  constexpr double kSeen = 0.02;  // of the root of the area
+  const SeamMesh& mesh = open.mesh;
+  if (mesh.front.empty()) return false;
+  double length = 0;
+  for (const SurfaceCorner h : open.seams.ids())
+    if (open.seams[h] && mesh.isOnSurface(h) && mesh.twin[h].exists())
+      length += mesh.length[h] * mesh.front[triangleOf(h)] / 2;
+  return length > kSeen * std::sqrt(mesh.totalArea());
+}
+
+bool isHopeless(const UnwrapOptionValues& options, FlatCut& best, FlatCut& other) {
+  const CutValue now = valueOf(best, options);
+  CutValue then(other.open);
+  then.addSeams(other, options.seamCosts);
+  if (areComparedAsAWhole(best.open, other.open))
+    return !isBetterAsAWhole(now, then, best.open, other.open);
+  for (const CutChartId c : now.whole().charts.ids())
+    if (then.cost(c) < kClearly * now.cost(c)) return false;
+  return true;
+}
+
 bool takeBetter(const WeldedMesh& welded, const UnwrapOptionValues& options, FlatCut& best,
                 FlatCut& other) {
   const CutValue now = valueOf(best, options), then = valueOf(other, options);
-  if (best.open.mirror || other.open.mirror || !haveSameParts(best.open, other.open)) {
-    if (!isBetterAsAWhole(now, then, best, other)) return false;
+  if (areComparedAsAWhole(best.open, other.open)) {
+    if (!isBetterAsAWhole(now, then, best.open, other.open)) return false;
     best = std::move(other);
     return true;
   }

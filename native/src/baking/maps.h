@@ -10,6 +10,8 @@ namespace abflat::cli {
 
 /// Where a material has the texture of a map, which also tells the maps apart.
 using TexturePlace = GltfTexture GltfMaterial::*;
+constexpr TexturePlace kMetallicRoughnessPlace = &GltfMaterial::metallicRoughnessTexture,
+                       kOcclusionPlace = &GltfMaterial::occlusionTexture;
 
 /// A map of materials, and how an image holds it.
 struct MapPlan {

@@ -60,6 +60,7 @@ Result<ImageView> OldImages::whole(std::size_t image) {
   if (const auto known = whole_.find(image); known != whole_.end()) return known->second.view();
   Result<images::Image> read = images::readImage(files_[image].bytes, files_[image].name);
   if (!read.ok()) return read.status();
+  if (read.value().bits > 8) deep_.insert(image);
   return whole_.emplace(image, std::move(read.value())).first->second.view();
 }
 
@@ -83,6 +84,12 @@ Result<ImageView> OldImages::occlusion(std::size_t image, double strength) {
   else
     fade<std::uint16_t>(out, strength, 65535);
   return out.view();
+}
+
+std::string depthNote(std::size_t count) {
+  if (count == 0) return {};
+  return (count == 1 ? "1 image has" : std::to_string(count) + " images have") +
+         " 16 bits per channel, of which the new ones have 8";
 }
 
 void OldImages::release() {

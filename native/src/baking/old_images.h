@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,14 +28,21 @@ class OldImages {
   /// Red alone, as 1 - strength * (1 - red): ambient occlusion of some strength.
   Result<ImageView> occlusion(std::size_t image, double strength);
 
+  /// Those decoded so far that have 16 bits per channel.
+  const std::set<std::size_t>& deep() const { return deep_; }
+
   /// Frees what was decoded.
   void release();
 
  private:
   std::vector<ImageFile> files_;
   std::vector<images::Size> sizes_;
+  std::set<std::size_t> deep_;
   std::map<std::size_t, images::Image> whole_, opaque_;
   std::map<std::pair<std::size_t, double>, images::Image> occlusion_;
 };
+
+/// Says that so many images lose bits of their channels; empty for none.
+std::string depthNote(std::size_t count);
 
 }  // namespace abflat::cli

@@ -32,6 +32,7 @@ struct BakeJob {
 
   static constexpr Repeated kRepeated = Repeated::Stay;
   static constexpr bool kBakes = true;
+  static constexpr bool kMakesLayout = false;
 
   static GltfReadOptions gltf(const BakeCommand& command) { return {*command.texcoord, false}; }
   static bool keepsTexcoords(const BakeCommand&) { return true; }

@@ -11,6 +11,8 @@
 #include "abflat/flatten.h"
 #include "abflat/inspect.h"
 #include "baking/bake_look.h"
+#include "commands/look_obj_run.h"
+#include "commands/obj_run.h"
 #include "files/input_file.h"
 #include "files/layout_text.h"
 #include "files/out_of_memory.h"
@@ -60,6 +62,7 @@ struct ExtraFile {
 ///   triangleCorners   of a result and its mesh, as for makeGltf
 ///   turnFaces         turns the faces of the input that the result has turned, and returns them
 ///   kBakes            whether it can bake; if so, also
+///   kMakesLayout      whether the layout is a new one
 ///   baking            options of baking, if that is asked for
 ///   newLayout         of an outcome
 ///   setBaking         puts what was baked into a report
@@ -167,14 +170,57 @@ class MeshRun {
   /// Done before the work, so that an image that is no image costs no time.
   Status readLookToBake() {
     if (!isBaked()) return {};
-    if (!input_.gltf)
-      return {StatusCode::InvalidOption,
-              inputName(command_.input) + " is " + titleOf(input_.format) +
-                  ". --bake needs a glTF: write one with --texcoord 1, then use abflat bake"};
+    if (!input_.gltf) return readObjToBake();
+    if constexpr (Job::kBakes)
+      if (writtenFormat(command_.output) == FileFormat::Obj) {
+        lookObj_.emplace(command_.output, *Job::baking(command_));
+        return lookObj_->read(input_, otherPaths());
+      }
     Result<OldLook> look = orOutOfMemory(
         inputName(command_.input), [&] { return readOldLook(*input_.gltf, input_.readResource); });
     if (look.ok()) oldLook_ = std::move(look.value());
     return look.status();
+  }
+
+  Status readObjToBake() {
+    if constexpr (Job::kBakes) {
+      const std::string name = inputName(command_.input);
+      if (input_.format != FileFormat::Obj)
+        return {StatusCode::InvalidOption,
+                name + " is " + titleOf(input_.format) + ". Only a glTF or an OBJ can be baked"};
+      if (!Job::kMakesLayout)
+        return {StatusCode::InvalidOption,
+                name + " is an OBJ, which has one layout. Use unwrap --bake or pack --bake"};
+      obj_.emplace(command_.output, *Job::baking(command_), otherPaths());
+      if (Status s = obj_->read(input_); !s.ok()) return s;
+      const std::string lead = name + ": ";
+      for (const std::string& note : obj_->leftOut()) {
+        notes_.push_back(note);
+        if (!command_.quiet) complainCleared({{}, std::string(lead).append(note)});
+      }
+    }
+    return {};
+  }
+
+  /// What the command reads or writes besides new images.
+  std::vector<std::string> otherPaths() const {
+    std::vector<std::string> out = {command_.input, command_.output, command_.report};
+    for (const ExtraFile<Outcome>& file : Job::extraFiles(command_)) out.push_back(file.path);
+    return out;
+  }
+
+  /// Has textures of or in an OBJ follow its layout; `bake` does.
+  template <class Run, class Bake>
+  Status bakeObj(Run& run, Outcome& result, const Bake& bake) {
+    const Result<bool> done = orOutOfMemory(inputName(command_.input), [&]() -> Result<bool> {
+      Status s = bake(run);
+      if (!s.ok()) return s;
+      return true;
+    });
+    if (!done.ok()) return done.status();
+    notes_.insert(notes_.end(), run.notes().begin(), run.notes().end());
+    Job::setBaking(run.report(), result.report);
+    return {};
   }
 
   /// The old look in the new layout, or nothing if it is not wanted.
@@ -182,8 +228,19 @@ class MeshRun {
                                            const std::vector<std::uint32_t>& turned) {
     std::optional<GltfBaked> out;
     if constexpr (Job::kBakes) {
-      if (!oldLook_) return out;
       const NewLayout layout = Job::newLayout(result, turned);
+      if (obj_) {
+        Status s = bakeObj(*obj_, result, [&](ObjRun& run) {
+          return run.bake(input_, layout, Job::triangleCorners(input_.mesh, result));
+        });
+        if (!s.ok()) return s;
+      }
+      if (lookObj_) {
+        Status s = bakeObj(*lookObj_, result,
+                           [&](LookObjRun& run) { return run.bake(input_.mesh, layout); });
+        if (!s.ok()) return s;
+      }
+      if (!oldLook_) return out;
       Result<NewLook> look = orOutOfMemory(inputName(command_.input), [&] {
         return bakeLook(*oldLook_, layout, *Job::baking(command_));
       });
@@ -235,12 +292,16 @@ class MeshRun {
     const Result<std::optional<GltfBaked>> baked = bakeFor(result, turned.value());
     if (!baked.ok()) return baked.status();
     Result<std::string> layout = placed(name, [&]() -> Result<std::string> {
-      return layoutText(input_, command_.output, texcoord_,
-                        {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result),
-                         turned.value(), baked.value() ? &*baked.value() : nullptr});
+      if constexpr (Job::kBakes)
+        if (lookObj_) return lookObj_->text(input_.mesh, Job::newLayout(result, turned.value()));
+      return layoutText(
+          input_, command_.output, texcoord_,
+          {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result), turned.value(),
+           baked.value() ? &*baked.value() : nullptr, obj_.has_value()});
     });
     if (!layout.ok()) return layout.status();
     noteMade(Job::triangleCorners(input_.mesh, result));
+    if (obj_) layout = obj_->named(std::move(layout).value());
     if (Status s = layout_.write(std::move(layout.value())); !s.ok()) return s;
     for (std::size_t i = 0; i < extras_.size(); ++i) {
       Result<std::string> text = placed(name, [&] { return extraTexts_[i](input_.mesh, result); });
@@ -251,6 +312,10 @@ class MeshRun {
     complete(result.report);
     std::vector<OutputFile*> files = {&layout_};
     for (OutputFile& file : extras_) files.push_back(&file);
+    if (obj_)
+      if (Status s = obj_->write(files); !s.ok()) return s;
+    if (lookObj_)
+      if (Status s = lookObj_->write(files); !s.ok()) return s;
     if (report_) {
       if (Status s = report_->write(Job::json(result.report)); !s.ok()) return s;
       files.push_back(&*report_);
@@ -292,8 +357,10 @@ class MeshRun {
   std::deque<OutputFile> extras_;
   std::vector<std::function<Result<std::string>(const PolygonMesh&, const Outcome&)>> extraTexts_;
   InputFile input_;
-  std::optional<OldLook> oldLook_;  ///< if it is to be baked
-  std::vector<std::string> notes_;  ///< about reading and writing, one sentence each
+  std::optional<OldLook> oldLook_;     ///< of a glTF that is baked into one
+  std::optional<ObjRun> obj_;          ///< if an OBJ is to be baked
+  std::optional<LookObjRun> lookObj_;  ///< if a glTF is to be baked into an OBJ
+  std::vector<std::string> notes_;     ///< about reading and writing, one sentence each
   std::size_t texcoord_ = command_.texcoord.value_or(0);  ///< number of the glTF set to write
   double readSeconds_ = 0, writeSeconds_ = 0;
 };

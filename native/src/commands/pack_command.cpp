@@ -29,6 +29,7 @@ struct PackJob {
 
   static constexpr Repeated kRepeated = Repeated::Stay;
   static constexpr bool kBakes = true;
+  static constexpr bool kMakesLayout = true;
 
   static const GltfReadOptions& gltf(const PackCommand& command) { return command.gltf; }
   /// The first set may be that of textures, which fit only as it is.

@@ -19,6 +19,7 @@ struct UnwrapJob {
 
   static constexpr Repeated kRepeated = Repeated::Stay;  // the core joins them and reports it
   static constexpr bool kBakes = true;
+  static constexpr bool kMakesLayout = true;
 
   static const GltfReadOptions& gltf(const UnwrapCommand& command) { return command.gltf; }
   static bool keepsTexcoords(const UnwrapCommand& command) { return command.keep.hasUv; }

@@ -31,7 +31,7 @@ Result<std::string> layoutText(const InputFile& input, const std::string& path, 
   const bool isBinary = endingOf(path) == ".glb";
   if (!input.gltf)
     return makeGltf(input.mesh, now.uv, now.ofCorner, now.triangleCorners, input.look,
-                    {isBinary, set});
+                    {isBinary, set, now.isMadeBaked});
   GltfWriteOptions options;
   options.isBinary = isBinary;
   options.texcoord = set;

@@ -16,6 +16,7 @@ struct WrittenLayout {
   const std::vector<std::uint32_t>& triangleCorners;  ///< as for makeGltf
   const std::vector<std::uint32_t>& turnedFaces;  ///< that the mesh has turned since it was read
   const GltfBaked* baked = nullptr;               ///< as in GltfWriteOptions
+  bool isMadeBaked = false;                       ///< as in GltfMakeOptions
 };
 
 /// The content to write to `path`: the input with these texcoords, see writeMesh,

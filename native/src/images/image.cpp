@@ -21,7 +21,8 @@ Result<T> readBy(std::string_view bytes, Result<T> (*png)(std::string_view),
   if (startsWith(bytes, "\xff\xd8\xff"sv)) return jpeg(bytes);
   if (startsWith(bytes, "RIFF"sv) && bytes.substr(8, 4) == "WEBP"sv) return webp(bytes);
   if (startsWith(bytes, "\xabKTX 20"sv))
-    return damaged("is a KTX2 texture, which cannot be read. Convert it to PNG");
+    return damaged(
+        "is a KTX2 texture, which cannot be read. Convert it to PNG, such as with 'ktx extract'");
   if (bytes.empty()) return damaged("is empty");
   return damaged("is neither a PNG, a JPEG nor a WebP image. Convert it to PNG");
 }
@@ -75,6 +76,18 @@ const char* mimeTypeOf(ImageFormat format) {
       return "image/jpeg";
     case ImageFormat::Webp:
       return "image/webp";
+  }
+  return "";
+}
+
+const char* endingOf(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::Png:
+      return ".png";
+    case ImageFormat::Jpeg:
+      return ".jpg";
+    case ImageFormat::Webp:
+      return ".webp";
   }
   return "";
 }

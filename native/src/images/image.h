@@ -39,9 +39,11 @@ Result<Size> imageSize(std::string_view bytes, const std::string& name);
 Result<Image> readImage(std::string_view bytes, const std::string& name);
 
 const char* mimeTypeOf(ImageFormat format);
+/// Of its files, with a dot.
+const char* endingOf(ImageFormat format);
 
-/// The file of an image of 8 bits. JPEG has no alpha, so it takes 1 or 3 channels. `quality` is
-/// from 1 to 100; with 100, WebP loses nothing. Errors: CannotWrite, OutOfMemory.
+/// The file of an image; only a PNG takes 16 bits. JPEG has no alpha, so it takes 1 or 3 channels.
+/// `quality` is from 1 to 100; with 100, WebP loses nothing. Errors: CannotWrite, OutOfMemory.
 Result<std::string> writeImage(const Image& image, ImageFormat format, int quality);
 
 }  // namespace abflat::images

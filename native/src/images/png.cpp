@@ -60,13 +60,16 @@ bool readHeader(Png& state) {
   return true;
 }
 
+bool isLittleEndian() {
+  constexpr std::uint16_t kOne = 1;
+  return *reinterpret_cast<const std::uint8_t*>(&kOne) == 1;
+}
+
 /// Asks for 8 or 16 bits a channel, without a palette.
 bool expand(Png& state) {
   if (setjmp(png_jmpbuf(state.png))) return false;
   png_set_expand(state.png);
-  constexpr std::uint16_t kOne = 1;
-  const bool isLittle = *reinterpret_cast<const std::uint8_t*>(&kOne) == 1;
-  if (isLittle) png_set_swap(state.png);
+  if (isLittleEndian()) png_set_swap(state.png);
   png_set_interlace_handling(state.png);
   png_read_update_info(state.png, state.info);
   return true;
@@ -79,12 +82,13 @@ bool readRows(Png& state, png_bytepp rows) {
   return true;
 }
 
-bool writeAll(Png& state, std::uint32_t width, std::uint32_t height, int colour, png_bytepp rows) {
+bool writeAll(Png& state, const Image& image, int colour, png_bytepp rows) {
   if (setjmp(png_jmpbuf(state.png))) return false;
   png_set_write_fn(state.png, &state, putBytes, flush);
-  png_set_IHDR(state.png, state.info, width, height, 8, colour, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(state.png, state.info, image.width, image.height, image.bits, colour,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(state.png, state.info);
+  if (image.bits == 16 && isLittleEndian()) png_set_swap(state.png);
   png_write_image(state.png, rows);
   png_write_end(state.png, nullptr);
   return true;
@@ -158,10 +162,11 @@ Result<std::string> writePng(const Image& image) {
   constexpr std::array<int, 4> kColours = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
                                            PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
   const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t rowBytes = image.width * channels * static_cast<std::size_t>(image.bits / 8);
   // libpng only reads them, but its rows are not const.
   std::vector<png_bytep> rows =
-      rowsOf(const_cast<std::uint8_t*>(image.pixels.data()), image.height, image.width * channels);
-  if (!writeAll(state, image.width, image.height, kColours[channels - 1], rows.data()))
+      rowsOf(const_cast<std::uint8_t*>(image.pixels.data()), image.height, rowBytes);
+  if (!writeAll(state, image, kColours[channels - 1], rows.data()))
     return cannotWrite(std::string("cannot write a PNG: ") + state.problem.data());
   return out;
 }

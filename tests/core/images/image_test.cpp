@@ -139,7 +139,8 @@ TEST_CASE("images that cannot be read are refused with a reason") {
   CHECK(problemOf("GIF89a") ==
         "images[0] is neither a PNG, a JPEG nor a WebP image. Convert it to PNG");
   CHECK(problemOf(std::string("\xabKTX 20\xbb\r\n\x1a\n")) ==
-        "images[0] is a KTX2 texture, which cannot be read. Convert it to PNG");
+        "images[0] is a KTX2 texture, which cannot be read. Convert it to PNG, such as with 'ktx "
+        "extract'");
   const std::string png = written(smooth(40, 30, 3), ImageFormat::Png);
   CHECK(problemOf(png.substr(0, png.size() / 2)) ==
         "images[0] is a damaged PNG: it ends too early. Export it again");

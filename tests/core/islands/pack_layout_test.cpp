@@ -119,6 +119,23 @@ TEST_CASE("pack layout: what lies on each other stays so, what barely overlaps i
   CHECK(std::hypot(a[0] - b[0], a[1] - b[1]) == Approx(0.02 * r.report.scale).epsilon(1e-9));
 }
 
+TEST_CASE("pack layout: islands of different materials have textures of their own") {
+  PolygonMesh mesh = meshOf({{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1, true}});
+  mesh.faceMaterials = {0, 1, 1, 0};
+  const PackLayoutResult r = packed(mesh);
+  CHECK(r.report.stackedIslands == 2);
+  CHECK(r.report.stackedStacks == 2);
+  CHECK(r.report.separated == 4);
+  CHECK(r.report.valid);
+  // Neither what stays nor what is judged comes apart.
+  PackLayoutOptions options;
+  options.keepPlaces = true;
+  CHECK(packed(mesh, options).report.stackedIslands == 3);
+  options.keepPlaces = false;
+  options.islands = {0};
+  CHECK(packed(mesh, options).report.stackedIslands == 3);
+}
+
 TEST_CASE("pack layout: thousands of copies are one stack") {
   const PackLayoutResult r = packed(meshOf(std::vector<Rectangle>(3000, {0.2, 0.1, 0.3, 0.1})));
   CHECK(r.report.stackedIslands == 2999);
@@ -295,4 +312,59 @@ TEST_CASE("pack layout: faults of triangles are in the order of the mesh, withou
   const auto outside = static_cast<std::uint8_t>(UvFault::Outside);
   CHECK(packLayout(mesh, options).value().faults ==
         std::vector<std::uint8_t>{0, 0, 0, 0, outside, outside});
+}
+
+TEST_CASE("pack layout: only some islands are packed, around the others, and none of them grows") {
+  const PolygonMesh mesh =
+      meshOf({{0.1, 0.1, 0.3, 0.3}, {0.3, 0.2, 0.3, 0.1}, {0.6, 0.6, 0.2, 0.2}});
+  PackLayoutOptions options;
+  options.islands = {1};
+  const PackLayoutResult r = packed(mesh, options);
+  for (std::size_t corner = 0; corner < 12; ++corner) {
+    if (corner / 4 == 1) continue;
+    CHECK(at(r, corner)[0] == mesh.texcoords[2 * corner]);
+    CHECK(at(r, corner)[1] == mesh.texcoords[2 * corner + 1]);
+  }
+  CHECK(lengthOf(r, 4) == Approx(0.3).epsilon(0.01));
+  CHECK(lengthOf(r, 4) <= 0.3 + 1e-9);
+  options.islands = {3};
+  CHECK(packLayout(mesh, options).status().code == StatusCode::InvalidOption);
+}
+
+TEST_CASE("pack layout: each island goes to the tile that is asked for, as large as can be") {
+  const PolygonMesh mesh =
+      meshOf({{0.1, 0.1, 0.3, 0.3}, {0.5, 0.1, 0.3, 0.2}, {0.1, 0.6, 0.1, 0.1}});
+  PackLayoutOptions options;
+  options.tileOfIsland = {0, 0, 11};
+  const PackLayoutResult r = packed(mesh, options);
+  CHECK(r.report.tiles == 12);
+  for (std::size_t corner = 0; corner < 12; ++corner) {
+    const double tile = corner < 8 ? 0 : 1;
+    CHECK(std::floor(at(r, corner)[0]) == tile);
+    CHECK(std::floor(at(r, corner)[1]) == tile);
+  }
+  CHECK(lengthOf(r, 8) > 0.99);
+  options.tileOfIsland = {0, 0};
+  CHECK(packLayout(mesh, options).status().code == StatusCode::InvalidOption);
+  options.tileOfIsland = {0, 0, 9999};
+  CHECK(packLayout(mesh, options).status().code == StatusCode::InvalidOption);
+}
+
+TEST_CASE("pack layout: other texcoords take the place of those of the mesh") {
+  PolygonMesh mesh = meshOf({{0.1, 0.1, 0.3, 0.3}, {0.5, 0.1, 0.3, 0.2}});
+  // Both faces use the same texcoords.
+  std::copy_n(mesh.faceTexcoords.begin(), 4, mesh.faceTexcoords.begin() + 4);
+  PackLayoutOptions options;
+  options.keepPlaces = true;
+  const PackLayoutResult before = packLayout(mesh, options).value();
+  std::vector<double> uv;
+  for (const std::uint32_t corner : before.triangleCorners)
+    for (const double x : at(before, corner)) uv.push_back(x + (corner < 4 ? 0 : 0.5));
+  REQUIRE(replaceTexcoords(mesh, uv).ok());
+  const PackLayoutResult now = packLayout(mesh, options).value();
+  CHECK(now.uv.size() == 16);
+  for (std::size_t i = 0; i < now.triangleCorners.size(); ++i)
+    for (std::size_t d = 0; d < 2; ++d) CHECK(at(now, now.triangleCorners[i])[d] == uv[2 * i + d]);
+  uv.pop_back();
+  CHECK(replaceTexcoords(mesh, uv).code == StatusCode::InvalidMesh);
 }

@@ -29,8 +29,11 @@ class Searches {
     const FixedTriangles fixed;
     SeamSummary summary;
     FlatCut out;
-    out.open = cutOpen({welded_, 1, surface_, fixed}, asked_, {costs, false, before}, options_,
-                       pool_, {}, summary);
+    SeamVariant variant;
+    variant.costs = costs;
+    variant.before = before;
+    out.open =
+        cutOpen({welded_, 1, surface_, fixed}, asked_, variant, options_, pool_, {}, summary);
     out.charts.set = chartsOf(welded_, out.open);
     out.charts.flat.resize(out.charts.set.size());
     const IdVector<ChartId, ChartConstraints> constraints(out.charts.set.size());
@@ -39,6 +42,9 @@ class Searches {
   }
 
   double cost(FlatCut& cut) const { return costOf(options_, cut); }
+  bool isHopeless(FlatCut& best, FlatCut& other) const {
+    return abflat::isHopeless(options_, best, other);
+  }
   bool take(FlatCut& best, FlatCut& other) const {
     return takeBetter(welded_, options_, best, other);
   }
@@ -96,11 +102,23 @@ TEST_CASE("what unrolls is not cut in another way unless seams get clearly short
   CHECK(searches.cost(best) == before);
 }
 
+TEST_CASE("seams that cost more than others with all their charts are hopeless", "[unwrap]") {
+  Searches searches(bumpyTorus(1));
+  FlatCut best = searches.find(0), other = searches.find(1, &best.open);
+  CHECK_FALSE(searches.isHopeless(best, best));
+  if (searches.isHopeless(best, other)) CHECK_FALSE(searches.cost(other) < searches.cost(best));
+  for (const SurfaceCorner h : other.open.seams.ids())
+    other.open.seams[h] = other.open.mesh.twin[h].exists();
+  CHECK(searches.isHopeless(best, other));
+  CHECK_FALSE(searches.isHopeless(other, best));
+}
+
 TEST_CASE("the larger a surface, the fewer searches", "[unwrap]") {
   CHECK(variantsWorth(0, 0).empty());
   CHECK(variantsWorth(100, 0).size() > variantsWorth(6000, 0).size());
   CHECK(variantsWorth(20'000, 0).front().isTighter);
   CHECK(variantsWorth(50'000, 0.001).empty());
   CHECK(variantsWorth(50'000, 0.1).size() == kFrontVariants);
-  CHECK(variantsWorth(1'000'000, 0.1).empty());
+  CHECK(variantsWorth(50'000, 0.1, true).size() == kFrontVariants + 1);
+  CHECK(variantsWorth(1'000'000, 0.1, true).empty());
 }

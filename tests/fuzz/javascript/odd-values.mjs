@@ -87,3 +87,20 @@ const ODD_VALUES = [
   ]);
 
 export const oddValue = (random) => random.pick(ODD_VALUES)();
+
+export function isPlain(value) {
+  try {
+    return Object.getPrototypeOf(Object(value)) === Object.prototype;
+  } catch {
+    return false; // a proxy that throws
+  }
+}
+
+/** A plain copy without getters. */
+export function plainly(mesh) {
+  try {
+    return { ...mesh };
+  } catch {
+    return {};
+  }
+}

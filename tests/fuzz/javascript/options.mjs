@@ -98,6 +98,13 @@ const OF_PACKAGE = {
   compare: { onProgress },
   inspect: {},
   load: {},
+  bake: {
+    kind: (random) => random.pick(['colour', 'data', 'normal']),
+    bakeResolution: (random) => random.pick([16, 16, 32, 15, 20000]),
+    padding: (random) => random.pick([0, 2, 256, 257]),
+    layoutResolution: (random) => random.pick(['none', 1, 64, 0]),
+    onProgress,
+  },
   sample: { detail: (random) => random.pick([1, 1, 2.5, 0, -1, Number.NaN, 1e300, 5n]) },
 };
 
@@ -128,7 +135,7 @@ export function randomOptions(random, method, without = []) {
   for (const [name, rule] of Object.entries(SCHEMA[method] ?? {}))
     add(name, () => valueWithin(random, name, rule));
   for (const [name, make] of Object.entries(OF_PACKAGE[method])) add(name, () => make(random));
-  if (method !== 'sample') add('transfer', () => boolean(random), 0.1);
+  if (!['sample', 'bake'].includes(method)) add('transfer', () => boolean(random), 0.1);
   add('signal', () => signalOf(random), 0.1);
   add(random.pick(['T', 'padding', 'constructor', '', 'é']), () => oddValue(random), 0.02);
   for (const name of without) delete options[name];

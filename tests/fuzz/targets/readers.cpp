@@ -7,6 +7,7 @@
 #include "abflat/gltf_look.h"
 #include "abflat/inspect.h"
 #include "abflat/io.h"
+#include "abflat/obj_maps.h"
 #include "expect.h"
 #include "round_trip.h"
 #include "targets.h"
@@ -51,6 +52,28 @@ ReadResource always(std::string_view bytes) {
   };
 }
 
+/// A material file that is written anew has the same maps, with images that are placed nowhere.
+void expectSameMaps(std::string_view obj, const PolygonMesh& mesh, std::string_view other) {
+  const ObjMaps maps = readObjMaps(obj, mesh, always(other)).value();
+  expect(maps.materials.size() == mesh.materialNames.size(), "every material has maps");
+  std::vector<std::vector<std::string>> names;
+  std::size_t count = 0;
+  for (const std::vector<MtlMap>& row : maps.materials) {
+    names.emplace_back(row.size(), "new.png");
+    count += row.size();
+  }
+  const std::string mtl = writeMtl(maps, names);
+  const ObjMaps again = readObjMaps(withMtl(obj, "news.mtl"), mesh, always(mtl)).value();
+  if (maps.files.empty()) return;
+  for (const std::vector<MtlMap>& row : again.materials) {
+    expect(row.size() <= count, "no map is added");
+    count -= row.size();
+    for (const MtlMap& map : row)
+      expect(map.scale[0] == 1 && map.offset[0] == 0 && !map.isClamped, "new images fill the tile");
+  }
+  expect(count == 0, "no map is lost");
+}
+
 }  // namespace
 
 bool readObj(const std::uint8_t* bytes, std::size_t size) {
@@ -93,6 +116,7 @@ bool readMaterials(const std::uint8_t* bytes, std::size_t size) {
   if (!mesh.ok()) return false;
   const Appearance look = readAppearance(obj, MeshFormat::Obj, mesh.value(), always(other)).value();
   expectMadeGltf(mesh.value(), look);
+  expectSameMaps(obj, mesh.value(), other);
   return true;
 }
 

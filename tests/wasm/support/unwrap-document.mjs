@@ -15,7 +15,7 @@ import {
  * read back from its file, and the atlases.
  */
 export async function unwrapDocument(abflat, document, { isMirrored, ...given } = {}) {
-  const options = { overwrite: true, ...given };
+  const options = { overwrite: true, groupBy: 'scene', ...given };
   const { readTexcoord = 0, fixedFaces } = options;
   const { texcoord = fixedFaces === 'uv' ? readTexcoord : 0 } = options;
   const before = await reread(document);

@@ -3,31 +3,17 @@
 
 #include <emscripten/emscripten.h>
 
-#include <new>
-
 #include "bake/bake_job.h"
+#include "buffers.h"
 #include "callbacks.h"
 
 using abflat::bindings::BakeJob;
 using abflat::bindings::ImageKind;
-
-namespace {
-
-template <class T>
-T* resized(std::vector<T>& numbers, std::size_t size) {
-  numbers.resize(size);
-  return numbers.data();
-}
-
-}  // namespace
+using abflat::bindings::resized;
 
 extern "C" {
 
-EMSCRIPTEN_KEEPALIVE BakeJob* abflatNewJob() {
-  // Without exceptions a failed allocation would just abort the module.
-  std::set_new_handler(abflat::bindings::outOfMemory);
-  return new BakeJob;
-}
+EMSCRIPTEN_KEEPALIVE BakeJob* abflatNewJob() { return abflat::bindings::newJob<BakeJob>(); }
 
 EMSCRIPTEN_KEEPALIVE void abflatFreeJob(BakeJob* job) { delete job; }
 

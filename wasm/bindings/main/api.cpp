@@ -3,11 +3,8 @@
 
 #include <emscripten/emscripten.h>
 
-#include <array>
-#include <new>
-#include <vector>
-
 #include "abflat/samples.h"
+#include "buffers.h"
 #include "callbacks.h"
 #include "generated/unwrap_array.h"
 #include "job.h"
@@ -18,31 +15,13 @@ using abflat::bindings::Field;
 using abflat::bindings::finish;
 using abflat::bindings::Job;
 using abflat::bindings::kFirstFile;
+using abflat::bindings::resized;
 using abflat::bindings::tellProgress;
 using abflat::bindings::UnwrapArray;
 
-namespace {
-
-template <class T>
-void* resized(std::vector<T>& numbers, std::size_t size) {
-  numbers.resize(size);
-  return numbers.data();
-}
-template <class T, std::size_t N>
-void* resized(std::vector<std::array<T, N>>& groups, std::size_t size) {
-  groups.resize(size / N);
-  return groups.data();
-}
-
-}  // namespace
-
 extern "C" {
 
-EMSCRIPTEN_KEEPALIVE Job* abflatNewJob() {
-  // Without exceptions a failed allocation would just abort the module.
-  std::set_new_handler(abflat::bindings::outOfMemory);
-  return new Job;
-}
+EMSCRIPTEN_KEEPALIVE Job* abflatNewJob() { return abflat::bindings::newJob<Job>(); }
 
 EMSCRIPTEN_KEEPALIVE void abflatFreeJob(Job* job) { delete job; }
 
@@ -65,7 +44,7 @@ EMSCRIPTEN_KEEPALIVE char* abflatSeams(Job* job, std::size_t size) {
 /// Buffer for an array among the options of unwrap, `size` numbers; UnwrapArray says which.
 EMSCRIPTEN_KEEPALIVE void* abflatArray(Job* job, int array, std::size_t size) {
   return takeArray(job->unwrapOptions, static_cast<UnwrapArray>(array),
-                   [size](auto& numbers) { return resized(numbers, size); });
+                   [size](auto& numbers) -> void* { return resized(numbers, size); });
 }
 
 /// Makes all faces that have texcoords keep them.

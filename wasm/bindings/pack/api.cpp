@@ -3,8 +3,10 @@
 
 #include <emscripten/emscripten.h>
 
-#include <new>
+#include <cstddef>
+#include <cstdint>
 
+#include "buffers.h"
 #include "callbacks.h"
 #include "pack_job.h"
 
@@ -12,21 +14,33 @@ using abflat::Precision;
 using abflat::bindings::finish;
 using abflat::bindings::Job;
 using abflat::bindings::kFirstFile;
+using abflat::bindings::resized;
 using abflat::bindings::tellProgress;
 
 extern "C" {
 
-EMSCRIPTEN_KEEPALIVE Job* abflatNewJob() {
-  // Without exceptions a failed allocation would just abort the module.
-  std::set_new_handler(abflat::bindings::outOfMemory);
-  return new Job;
-}
+EMSCRIPTEN_KEEPALIVE Job* abflatNewJob() { return abflat::bindings::newJob<Job>(); }
 
 EMSCRIPTEN_KEEPALIVE void abflatFreeJob(Job* job) { delete job; }
 
 /// Sets option number `index` of packing a layout, in the order of PACK_OPTIONS, to a number.
 EMSCRIPTEN_KEEPALIVE int abflatSetPackOption(Job* job, int index, double value) {
   return setNumber(*job, job->packOptions, index, value);
+}
+
+/// Buffer for coordinates in place of the texcoords of the mesh, two per corner of its triangles.
+EMSCRIPTEN_KEEPALIVE double* abflatTriangleUv(Job* job, std::size_t size) {
+  return resized(job->triangleUv, size);
+}
+
+/// Buffer for the islands that are packed around the others.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatPackedIslands(Job* job, std::size_t size) {
+  return resized(job->packOptions.islands, size);
+}
+
+/// Buffer for the tile that each island goes to.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIslandTiles(Job* job, std::size_t size) {
+  return resized(job->packOptions.tileOfIsland, size);
 }
 
 /// Packs the layout that the mesh has. `files` has a bit for each Field that is a file to write;

@@ -9,7 +9,11 @@ namespace abflat::bindings {
 Status packJob(Job& job, WantedFiles wanted, const ProgressCallback& progress) {
   job.packOptions.progress = progress;
   choosePrecision(job.packOptions.precision, wanted);
-  const auto compute = [&] { return packLayout(job.mesh, job.packOptions); };
+  const auto compute = [&]() -> Result<PackLayoutResult> {
+    if (!job.triangleUv.empty())
+      if (Status s = replaceTexcoords(job.mesh, job.triangleUv); !s.ok()) return s;
+    return packLayout(job.mesh, job.packOptions);
+  };
   const auto turned = [](const PackLayoutResult&) { return std::vector<std::uint32_t>(); };
   const auto arrays = [&](PackLayoutResult& packed) {
     PackedVertices vertices = packedVertices(job.mesh, packed);

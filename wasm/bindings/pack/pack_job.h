@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "abflat/pack_layout.h"
 #include "layout_job.h"
 
@@ -8,6 +10,8 @@ namespace abflat::bindings {
 /// One call of the module that packs layouts.
 struct Job : InputJob {
   PackLayoutOptions packOptions;
+  /// 2 per corner of a triangle, in place of the texcoords of the mesh; empty: those.
+  std::vector<double> triangleUv;
 };
 
 /// Fills everything that resultOf() returns for the layout that the mesh has, packed, and rounded

@@ -12,6 +12,9 @@ export type LateName = 'pack' | 'bake';
 /** A module of the package: a build of the main one, or one of the others. */
 export type ModuleName = Build | LateName;
 
+/** Those that run in any thread. */
+export type LocalName = Exclude<ModuleName, 'threads'>;
+
 export const BUILDS: readonly Build[] = ['plain', 'simd', 'threads'];
 
 /** A module with one vector instruction, i8x16.popcnt, which drafts of the vector proposal did not have yet. */
@@ -22,19 +25,20 @@ const WITH_VECTORS = new Uint8Array([
   ...[10, 10, 1, 8, 0, 0x41, 0, 0xfd, 15, 0xfd, 98, 0x0b], // i32.const 0, i8x16.splat, i8x16.popcnt, end
 ]);
 
+export const hasVectors = () => WebAssembly.validate(WITH_VECTORS);
+
 /**
  * The fastest build that runs here. A browser may still refuse the memory or the extra workers that
  * `threads` needs, which only shows on trying; createAbflat then takes the next build.
  */
 export function bestBuild(): Build {
-  if (!WebAssembly.validate(WITH_VECTORS)) return 'plain';
+  if (!hasVectors()) return 'plain';
   return whyNoThreads() === undefined && navigator.hardwareConcurrency > 1 ? 'threads' : 'simd';
 }
 
 /** Why the `threads` build cannot run here; undefined if it can. */
 export function whyNoThreads(): string | undefined {
-  if (typeof Worker === 'undefined')
-    return 'there are no Web Workers here, as in Node. Use the command line program for threads';
+  if (typeof Worker === 'undefined') return 'there are no Web Workers here';
   if (globalThis.crossOriginIsolated !== true || typeof SharedArrayBuffer === 'undefined')
     return (
       'the page is not cross-origin isolated. Serve it with the headers ' +

@@ -321,7 +321,7 @@ export interface UnwrapChart {
   quasiConformal: { mean: number; max: number; sheared: number };
   /** Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric). */
   symmetricDirichlet: number;
-  /** How many times as far above 1 as maxStretch its stretch may be: frontLeeway in the front of a figure, less where only a part is. */
+  /** How many times as far above 1 as maxStretch its stretch may be: frontLeeway in the front of a figure, less where only a part is, more on a mask without a seam. */
   leeway: number;
   /** The outcome of refining for lengths; of the whole chart if packing has cut it; null if refining gained nothing. */
   refined: RefineReport | null;
@@ -451,7 +451,7 @@ export interface PackReport {
   stacked: { islands: number; stacks: number };
   /** Islands most of whose area runs clockwise; they stay mirrored. */
   mirrored: number;
-  /** Islands that overlapped others by less, and no longer do. */
+  /** Islands that overlapped others by less, or ones of other materials, and no longer do. */
   separated: number;
   /** Faces without texcoords at every corner, which stay as they are. */
   unmapped: number;

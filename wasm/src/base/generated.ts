@@ -135,7 +135,7 @@ export interface UnwrapOptionValues {
 export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
   maxStretch: 1.02,
   maxSheared: 'auto',
-  frontLeeway: 8,
+  frontLeeway: 14,
   balance: 0.2,
   orient: false,
   fillHoles: 'auto',
@@ -162,7 +162,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
 export const UNWRAP_OPTIONS = {
   maxStretch: { type: 'number', default: 1.02, above: 1, text: 'largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts', range: 'above 1' },
   maxSheared: { type: 'number', default: 'auto', above: 0, atMost: 1, words: { auto: -1 }, text: 'largest share of a chart\'s surface that may be sheared, that is, have a quasi-conformal distortion above 1.25, as if a square became a rectangle of 5 by 4; charts with more are cut further (1 = no limit; auto = 0.1, or 5 times what maxStretch is above 1, if that is more)', range: 'above 0 and at most 1, or auto' },
-  frontLeeway: { type: 'number', default: 8, atLeast: 1, atMost: 100, text: 'how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared (1 = no more than elsewhere)', range: 'at least 1 and at most 100' },
+  frontLeeway: { type: 'number', default: 14, atLeast: 1, atMost: 100, text: 'how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared; half as much again on a mask that then needs no seam at all (1 = no more than elsewhere)', range: 'at least 1 and at most 100' },
   balance: { type: 'number', default: 0.2, atLeast: 0, atMost: 1, text: 'trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)', range: 'at least 0 and at most 1' },
   orient: { type: 'boolean', default: false, text: 'turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are', range: '' },
   fillHoles: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches', range: 'auto, never, always' },

@@ -4,7 +4,7 @@ import type { Document } from '@gltf-transform/core';
 import { AbflatError } from '../base/errors.js';
 import { ownFields } from '../messages/fields.js';
 import { checkFunction, knownOptions, tagOf } from '../messages/validate.js';
-import type { Abflat, AbortSignalLike, Progress } from '../types/index.js';
+import type { AbortSignalLike, AnyAbflat, Progress } from '../types/index.js';
 import type { BakeDocumentOptions, LaidAtlas, PutLook } from './bake/bake-document.js';
 
 /** What bakes an atlas that is laid but not yet in the document, and then puts its look there. */
@@ -22,7 +22,7 @@ const invalid = (message: string) => new AbflatError('InvalidOption', message);
 
 /** Undefined if `bake` is not wanted. */
 export function bakingOf(
-  abflat: Partial<Pick<Abflat, 'bake'>>,
+  abflat: Partial<AnyAbflat<'bake'>>,
   bake: unknown,
   udim: unknown,
 ): Baking | undefined {
@@ -38,7 +38,7 @@ export function bakingOf(
   );
   checkFunction('bake.decode', options.decode);
   checkFunction('bake.encode', options.encode);
-  const able = abflat as Pick<Abflat, 'bake'>;
+  const able = abflat as AnyAbflat<'bake'>;
   return {
     prepare: async (document, atlases, call) => {
       const { bakeDocument } = await import('./bake/bake-document.js');

@@ -2,7 +2,7 @@
 
 import { AbflatError } from '../base/errors.js';
 import { fieldsOf, ownFields } from './fields.js';
-import { checkLength, checkMultiple, reals, takeArrays, whole } from './input.js';
+import { checkLength, checkMultiple, reals, take, takeArrays, whole } from './input.js';
 import type { BakeArrays, BakeRequest } from './protocol.js';
 import { tagOf } from './validate.js';
 
@@ -13,7 +13,7 @@ export function takeBakeMesh(mesh: unknown): BakeArrays {
   if (tagOf(mesh) !== 'Object')
     throw invalidMesh('The mesh must be { positions, indices, texcoords }.');
   const { tangents, parts } = fieldsOf(mesh, ['tangents', 'parts']);
-  const given = ownFields(takeArrays(mesh, false).mesh);
+  const given = ownFields(takeArrays(mesh, false, { take }).mesh);
   const { positions, indices, texcoords, normals, materials } = given;
   if (!texcoords)
     throw invalidMesh('The mesh has no texcoords, so nothing says where its old images are.');

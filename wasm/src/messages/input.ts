@@ -6,10 +6,15 @@ import { fieldsOf, hasField } from './fields.js';
 import type { OwnedArrays, OwnedFile, OwnedMesh } from './protocol.js';
 import { bytesIn, checkBoolean, checkMemory, shown, tagOf } from './validate.js';
 
-interface Owned<T extends OwnedMesh> {
+export interface Owned<T extends OwnedMesh> {
   mesh: T;
   /** All buffers of the mesh, to hand them to the worker. */
   buffers: ArrayBuffer[];
+}
+
+/** How a call comes by the arrays of a checked mesh. */
+export interface Taking {
+  take<T extends OwnedMesh>(mesh: T, transfer: unknown): Owned<T>;
 }
 
 const WANTED = 'The mesh must be { positions, indices } or { bytes, name }';
@@ -25,25 +30,25 @@ function hintFor(mesh: object): string {
 
 const invalid = (message: string) => new AbflatError('InvalidMesh', message);
 
-/** The mesh in buffers of its own: copies, or with `transfer` the caller's, which get detached. */
-export function takeMesh(mesh: unknown, transfer: unknown): Owned<OwnedMesh> {
-  return take(checkMesh(mesh), transfer);
+export function takeMesh(mesh: unknown, transfer: unknown, taking: Taking): Owned<OwnedMesh> {
+  return taking.take(checkMesh(mesh), transfer);
 }
 
 /** A layout, which a file may not be. */
-export function takeArrays(mesh: unknown, transfer: unknown): Owned<OwnedArrays> {
+export function takeArrays(mesh: unknown, transfer: unknown, taking: Taking): Owned<OwnedArrays> {
   if (tagOf(mesh) !== 'Object' || hasField(mesh, 'bytes'))
     throw invalid('The layout must be { positions, indices, texcoords }.');
-  return take(checkArrays(mesh as object), transfer);
+  return taking.take(checkArrays(mesh as object), transfer);
 }
 
-export function takeFile(file: unknown, transfer: unknown): Owned<OwnedFile> {
+export function takeFile(file: unknown, transfer: unknown, taking: Taking): Owned<OwnedFile> {
   if (tagOf(file) !== 'Object' || !hasField(file, 'bytes'))
     throw invalid('The file must be { bytes, name }.');
-  return take(checkFile(file), transfer);
+  return taking.take(checkFile(file), transfer);
 }
 
-function take<T extends OwnedMesh>(mesh: T, transfer: unknown): Owned<T> {
+/** In buffers of its own: copies, or with `transfer` the caller's, which get detached. */
+export function take<T extends OwnedMesh>(mesh: T, transfer: unknown): Owned<T> {
   checkBoolean('transfer', transfer);
   const owned = transfer ? move(mesh) : copy(mesh);
   return { mesh: owned, buffers: buffersOf(owned) };

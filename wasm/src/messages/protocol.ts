@@ -90,6 +90,14 @@ export interface PackRequest extends LayoutRequest {
   kind: 'pack';
   /** One number per option of PACK_OPTIONS, in its order. */
   values: number[];
+  arrays: OwnPackArrays;
+}
+
+/** PackArrays that belong to the call. */
+export interface OwnPackArrays {
+  uv: Float64Array | undefined;
+  islands: Uint32Array | undefined;
+  tileOfIsland: Uint32Array | undefined;
 }
 
 /** The mesh of a bake, as BakeMesh, in arrays that belong to the call. */
@@ -168,9 +176,10 @@ export type Answer =
 
 export type AnyProgress = Progress | UnwrapProgress | PackProgress | BakeProgress | CompareProgress;
 
+/** `stopped`: shared memory with the number of the call to cancel. */
 export type ToWorker =
-  | { type: 'start'; module: WebAssembly.Module; maxMemory: number }
-  | { type: 'call'; request: Request };
+  | { type: 'start'; module: WebAssembly.Module; maxMemory: number; stopped?: Int32Array }
+  | { type: 'call'; request: Request; number: number };
 
 /** `isSpent`: the worker cannot or should not take another call. */
 export type FromWorker =

@@ -17,13 +17,15 @@ import {
   WRITTEN_FORMATS,
 } from '../base/generated.js';
 import { MAX_MEMORY, MIN_MEMORY } from '../base/memory.js';
+import type { PackArrays } from '../types/pack.js';
 import { fieldOf, fieldsOf, ownFields } from './fields.js';
-import type { KnownArrays, PinNumbers } from './protocol.js';
+import type { KnownArrays, OwnPackArrays, PinNumbers } from './protocol.js';
 
 const OF_CALL = ['signal', 'transfer'];
 const OF_LAYOUT = ['onProgress', ...WRITTEN_FORMATS, 'roundsForGltf', ...OF_CALL];
+export const OF_CREATE = ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'packUrl', 'bakeUrl'];
 export const KEYS = {
-  create: ['build', 'maxMemory', 'baseUrl', 'wasmUrl', 'packUrl', 'bakeUrl', 'workerUrl'],
+  create: [...OF_CREATE, 'workerUrl', 'workers', 'queue'],
   flatten: [
     ...Object.keys(FLATTEN_OPTIONS),
     'bounds',
@@ -42,7 +44,7 @@ export const KEYS = {
     'pins',
     ...OF_LAYOUT,
   ],
-  pack: [...Object.keys(PACK_OPTIONS), ...OF_LAYOUT],
+  pack: [...Object.keys(PACK_OPTIONS), 'uv', 'islands', 'tileOfIsland', ...OF_LAYOUT],
   compare: ['onProgress', ...OF_CALL],
   call: OF_CALL,
   sample: ['detail', 'signal'],
@@ -133,6 +135,11 @@ export function checkAbflat(abflat: unknown, name: 'unwrap' | 'pack' | 'bake'): 
     throw invalid(
       'The first argument must be what createAbflat resolves to: await createAbflat().',
     );
+}
+
+/** Whether it is a compiled module, or the bytes of one. */
+export function isModuleItself(value: unknown): value is WebAssembly.Module | BufferSource {
+  return ['WebAssembly.Module', 'ArrayBuffer', 'Uint8Array'].includes(tagOf(value));
 }
 
 export function checkAddress(name: string, value: unknown): void {
@@ -270,6 +277,22 @@ const OF_KNOWN = ['uv', 'unpacked', 'indices', 'vertexMap', 'chartOfTriangle', '
 export function arraysOf(options: UnwrapArrays): (Uint32Array | Float64Array | undefined)[] {
   const names = Object.keys(UNWRAP_ARRAYS) as (keyof UnwrapArrays)[];
   return names.map((name) => copyOf(name, UNWRAP_ARRAYS[name], options[name]));
+}
+
+const PACK_ARRAYS: Record<keyof PackArrays, ArrayInfo> = {
+  uv: { type: 'number', multiple: 2 },
+  islands: { type: 'index', of: 'island numbers', multiple: 1 },
+  tileOfIsland: { type: 'index', of: 'tile numbers', multiple: 1 },
+};
+
+/** The same for those of pack. */
+export function packArrays(options: PackArrays): OwnPackArrays {
+  const copy = (name: keyof PackArrays) => copyOf(name, PACK_ARRAYS[name], options[name]);
+  return {
+    uv: copy('uv') as Float64Array | undefined,
+    islands: copy('islands') as Uint32Array | undefined,
+    tileOfIsland: copy('tileOfIsland') as Uint32Array | undefined,
+  };
 }
 
 interface ArrayInfo {

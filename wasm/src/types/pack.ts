@@ -10,8 +10,24 @@ export interface PackProgress extends Omit<Progress, 'stage'> {
 }
 
 /** PACK_OPTIONS describes the plain values and their defaults. */
-export interface PackOptions extends LayoutOptions, Partial<PackOptionValues> {
+export interface PackOptions extends LayoutOptions, PackArrays, Partial<PackOptionValues> {
   onProgress?: (progress: PackProgress) => void;
+}
+
+/** Arrays among the options, which are copied. */
+export interface PackArrays {
+  /** 2 per corner of the mesh's triangles, in place of the texcoords that it has. */
+  uv?: Float32Array | Float64Array;
+  /**
+   * Only these islands are packed, by their numbers in `islandOfTriangle`, and what they are stacked
+   * with. The others stay where they are. Without any, all are packed.
+   */
+  islands?: Uint32Array;
+  /**
+   * The tile that each island goes to: 0 is UDIM 1001, and a row has ten. Each tile is packed by
+   * itself, as tight as it can be.
+   */
+  tileOfIsland?: Uint32Array;
 }
 
 /**

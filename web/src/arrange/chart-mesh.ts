@@ -1,5 +1,5 @@
 import { boundaryEdges } from '../mesh/mesh';
-import { type ChartArrays, pointOf } from './charts';
+import { type ChartArrays, pointOf, trianglesOf } from './charts';
 import type { Point } from './motion';
 
 /** One chart as a mesh of its own, with its layout. */
@@ -15,15 +15,27 @@ export interface ChartMesh {
   outline: Uint32Array;
 }
 
-/** `positions`: 3 per vertex of the atlas. */
-export function chartMesh(arrays: ChartArrays, positions: Float64Array, chart: number): ChartMesh {
-  const { uv, indices, chartOfTriangle } = arrays;
-  const corners: number[] = [];
-  chartOfTriangle.forEach((each, f) => {
-    if (each === chart) corners.push(3 * f, 3 * f + 1, 3 * f + 2);
-  });
-  /** From 1; 0 for vertices that have not been seen. */
-  const numbers = new Uint32Array(uv.length / 2);
+/** One for each of some charts. `positions`: 3 per vertex of the atlas. */
+export function chartMeshes(
+  arrays: ChartArrays,
+  positions: Float64Array,
+  charts: Uint32Array,
+): ChartMesh[] {
+  const triangles = trianglesOf(arrays.chartOfTriangle, charts);
+  /** From 1; 0 for vertices that have not been seen. No vertex belongs to two charts. */
+  const numbers = new Uint32Array(arrays.uv.length / 2);
+  return Array.from(charts, (chart) =>
+    chartMesh(arrays, positions, triangles.get(chart) ?? [], numbers),
+  );
+}
+
+function chartMesh(
+  { uv, indices }: ChartArrays,
+  positions: Float64Array,
+  triangles: number[],
+  numbers: Uint32Array,
+): ChartMesh {
+  const corners = triangles.flatMap((f) => [3 * f, 3 * f + 1, 3 * f + 2]);
   const found: number[] = [];
   const own = Uint32Array.from(corners, (corner) => {
     const v = indices[corner];
@@ -81,17 +93,22 @@ export function reshaped(
   mesh: ChartMesh,
   shape: Float64Array,
 ): Coordinates {
+  const changed = { uv: uv.slice(), unpacked: unpacked.slice() };
+  reshape(changed, mesh, shape);
+  return changed;
+}
+
+/** The same in place. */
+export function reshape(changed: Coordinates, mesh: ChartMesh, shape: Float64Array): void {
   const own = shape.map(Math.fround);
   const { positions, indices } = mesh;
   const scale = Math.sqrt(areaOf(positions, 3, indices) / areaInUv(own, indices));
-  const changed = { uv: uv.slice(), unpacked: unpacked.slice() };
   mesh.vertices.forEach((v, i) => {
     for (const d of [0, 1]) {
       changed.uv[2 * v + d] = own[2 * i + d];
       changed.unpacked[2 * v + d] = scale * own[2 * i + d];
     }
   });
-  return changed;
 }
 
 export const areaInUv = (uv: Float64Array, indices: Uint32Array) => areaOf(uv, 2, indices);

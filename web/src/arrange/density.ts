@@ -1,3 +1,4 @@
+import { tileAt } from '../mesh/own-tiles';
 import { DENSITY_RULE, type FaceDensities } from '../model/face-densities';
 import { boxOf, type ChartArrays, isChart, middleOf, verticesOf } from './charts';
 import { turned } from './motion';
@@ -8,6 +9,8 @@ export interface SurfaceArrays extends ChartArrays {
   positions: ArrayLike<number>;
   /** The face of the mesh that each triangle belongs to, if that is not the triangle itself. */
   faces?: Uint32Array;
+  /** Each tile has a density of its own, so charts are compared with those in their tile. */
+  isByTile?: boolean;
 }
 
 /** A chart that grows by less was not scaled: numbers are rounded. */
@@ -28,13 +31,21 @@ interface Areas {
 export function evened(arrays: SurfaceArrays, charts: Uint32Array): Motions {
   const { flat, solid } = areasOf(arrays);
   const chosen = new Set(charts);
-  const every = [...flat.keys()];
-  const others = every.filter((chart) => !chosen.has(chart));
+  const groups = groupsOf(arrays, flat.length);
   const sum = (areas: Float64Array, some: number[]) =>
     some.reduce((total, chart) => total + areas[chart], 0);
   const densityOf = (some: number[]) => Math.sqrt(sum(flat, some) / sum(solid, some));
-  const wanted = densityOf(others.length > 0 ? others : every);
-  return scaled(arrays, charts, (chart) => wanted / densityOf([chart]));
+  const wanted = new Map(
+    Array.from(chartsIn(groups), ([group, every]) => {
+      const others = every.filter((chart) => !chosen.has(chart));
+      return [group, densityOf(others.length > 0 ? others : every)];
+    }),
+  );
+  return scaled(
+    arrays,
+    charts,
+    (chart) => (wanted.get(groups[chart]) ?? Number.NaN) / densityOf([chart]),
+  );
 }
 
 /** Scales each chart to a texel density relative to those that ask for 1. */
@@ -45,11 +56,11 @@ export function atDensity(
   asked: FaceDensities,
 ): Motions {
   const areas = areasOf(arrays);
-  const base = baseOf(areas, askedOf(arrays, areas, asked));
+  const base = basesOf(areas, askedOf(arrays, areas, asked), groupsOf(arrays, areas.flat.length));
   return scaled(
     arrays,
     charts,
-    (chart) => (density * base) / Math.sqrt(areas.flat[chart] / areas.solid[chart]),
+    (chart) => (density * base[chart]) / Math.sqrt(areas.flat[chart] / areas.solid[chart]),
   );
 }
 
@@ -64,22 +75,23 @@ export function keptDensities(
 ): FaceDensities {
   const areas = areasOf(before);
   const ofChart = askedOf(before, areas, asked);
-  const base = baseOf(areas, ofChart);
+  const base = basesOf(areas, ofChart, groupsOf(before, ofChart.length));
   const { flat, solid } = areasOf({ ...before, uv });
   const now = ofChart.map((old, chart) => {
     const grown = Math.sqrt(flat[chart] / areas.flat[chart]);
     if (!(Math.abs(grown - 1) > GROWTH)) return old;
-    const density = Math.sqrt(flat[chart] / solid[chart]) / base;
+    const density = Math.sqrt(flat[chart] / solid[chart]) / base[chart];
     if (!Number.isFinite(density) || Math.abs(density - 1) < EVEN) return 1;
     return Math.min(DENSITY_RULE.atMost, Math.max(DENSITY_RULE.atLeast, density));
   });
-  if (now.every((density) => density === 1)) return undefined;
   const { chartOfTriangle, faces } = before;
   const count = faces ? faces[faces.length - 1] + 1 : chartOfTriangle.length;
-  const out = new Float32Array(count).fill(1);
+  const out = asked?.slice() ?? new Float32Array(count).fill(1);
   chartOfTriangle.forEach((chart, f) => {
-    if (chart < now.length) out[faces ? faces[f] : f] = now[chart];
+    // Faces of other charts keep what they ask for each.
+    if (now[chart] !== ofChart[chart]) out[faces ? faces[f] : f] = now[chart];
   });
+  if (out.every((density) => density === 1)) return undefined;
   return asked && out.every((density, f) => density === asked[f]) ? asked : out;
 }
 
@@ -114,12 +126,43 @@ function askedOf(
   return texels.map((sum, chart) => (solid[chart] > 0 ? Math.sqrt(sum / solid[chart]) : 1));
 }
 
-/** The density of charts that ask for 1: that of most of the surface. */
-function baseOf({ flat, solid }: Areas, asked: Float64Array): number {
-  const bases = Array.from(flat, (area, chart) => ({
-    base: Math.sqrt(area / solid[chart]) / asked[chart],
-    area: solid[chart],
-  })).filter(({ base }) => base > 0 && Number.isFinite(base));
+/** For each chart, the number of those that it is compared with. */
+function groupsOf(arrays: SurfaceArrays, count: number): Uint32Array {
+  const groups = new Uint32Array(count);
+  if (!arrays.isByTile) return groups;
+  for (const [chart, own] of verticesOf(arrays, Uint32Array.from(groups.keys())))
+    groups[chart] = tileAt(...middleOf(boxOf(arrays.uv, own)));
+  return groups;
+}
+
+function chartsIn(groups: Uint32Array): Map<number, number[]> {
+  const all = new Map<number, number[]>();
+  groups.forEach((group, chart) => {
+    const own = all.get(group) ?? [];
+    own.push(chart);
+    all.set(group, own);
+  });
+  return all;
+}
+
+/** For each chart, the density of those in its group that ask for 1. */
+function basesOf(areas: Areas, asked: Float64Array, groups: Uint32Array): Float64Array {
+  const bases = new Float64Array(groups.length);
+  for (const charts of chartsIn(groups).values()) {
+    const base = baseOf(areas, asked, charts);
+    for (const chart of charts) bases[chart] = base;
+  }
+  return bases;
+}
+
+/** The density of those of some charts that ask for 1: that of most of their surface. */
+function baseOf({ flat, solid }: Areas, asked: Float64Array, charts: number[]): number {
+  const bases = charts
+    .map((chart) => ({
+      base: Math.sqrt(flat[chart] / solid[chart]) / asked[chart],
+      area: solid[chart],
+    }))
+    .filter(({ base }) => base > 0 && Number.isFinite(base));
   bases.sort((a, b) => a.base - b.base);
   let left = bases.reduce((sum, { area }) => sum + area, 0) / 2;
   for (const { base, area } of bases) {

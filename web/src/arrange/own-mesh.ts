@@ -51,9 +51,16 @@ const areaWithin = (loop: readonly number[], uv: Float64Array): number =>
     return sum + (x0 * y1 - x1 * y0) / 2;
   }, 0);
 
-/** Whether triangles run clockwise in the layout. */
-export const isMirrored = ({ texcoords: uv, indices }: ChartMesh): boolean =>
-  areaOf({ uv, indices, chartOfTriangle: new Uint32Array() }, 0) < 0;
+/** Whether most of it runs clockwise in the layout. */
+export function isMirrored({ texcoords: uv, indices }: ChartMesh): boolean {
+  let sum = 0;
+  for (let f = 0; 3 * f < indices.length; ++f) sum += areaOf({ uv, indices }, f);
+  return sum < 0;
+}
+
+/** The mirror image of a layout; that of it is the layout again. */
+export const mirrored = (uv: Float64Array): Float64Array =>
+  uv.map((x, i) => (i % 2 === 0 ? -x : x));
 
 /** The chart with its holes filled by triangles around their middles, which are vertices behind all others. */
 export function filled(

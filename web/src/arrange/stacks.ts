@@ -58,7 +58,7 @@ export function outlineOf({ indices }: Pick<ChartArrays, 'indices'>, triangles: 
 }
 
 /** In uv; negative if it is flipped. */
-export function areaOf({ uv, indices }: ChartArrays, f: number): number {
+export function areaOf({ uv, indices }: Pick<ChartArrays, 'uv' | 'indices'>, f: number): number {
   const [[x, y], [x1, y1], [x2, y2]] = [0, 1, 2].map((k) => pointOf(uv, indices[3 * f + k]));
   return ((x1 - x) * (y2 - y) - (x2 - x) * (y1 - y)) / 2;
 }

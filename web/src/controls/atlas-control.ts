@@ -68,6 +68,11 @@ export class AtlasControl {
     this.more.open(summary.texcoords > 0, isReread);
   }
 
+  /** What the mesh has several of. */
+  offerParts(hasObjects: boolean, hasMaterials: boolean): void {
+    this.more.offerParts(hasObjects, hasMaterials);
+  }
+
   get settings(): Omit<UnwrapSettings, 'seams' | 'seamEdges'> {
     return {
       mode: 'unwrap',

@@ -1,17 +1,20 @@
 import { UNWRAP_OPTIONS } from 'abflat';
 import { create, element, showText } from '../base/dom';
+import { MORE } from '../model/more-names';
 import {
   canHaveTiles,
   changedOptions,
   defaultOptions,
-  MORE,
   MORE_LABELS,
   type MoreName,
   type MoreOptions,
+  PART_TILES,
+  type PartTiles,
   usedOptions,
 } from '../model/more-options';
 import { OPTIONS } from '../words/controls';
 import { sentence } from '../words/format';
+import { PACKING } from '../words/selection';
 import { NumberField } from './number-field';
 
 /**
@@ -24,6 +27,7 @@ export class MoreControl {
   private readonly state = element('more-state', HTMLElement);
   private readonly switches = create('div', 'more-switches');
   private udim: HTMLButtonElement | null = null;
+  private readonly tiles = create('select', 'button');
   private readonly keepUv: HTMLButtonElement;
   private options: MoreOptions = defaultOptions();
   /** Each shows one option as it is. */
@@ -34,6 +38,8 @@ export class MoreControl {
     private readonly say: (text: string) => void,
   ) {
     for (const name of MORE) this.add(name);
+    this.addTiles();
+    this.offerParts(false, false);
     this.keepUv = this.switchOf('more-keep-uv', OPTIONS.keepUvs, OPTIONS.aboutKeepUvs);
     this.keepUv.hidden = true;
     this.keepUv.addEventListener('click', () => {
@@ -64,8 +70,8 @@ export class MoreControl {
 
   /** Shows other options without asking for them. */
   restore(settings: MoreOptions): void {
-    const { fixedFaces } = settings;
-    this.options = { ...defaultOptions(), ...(fixedFaces && { fixedFaces }) };
+    const { fixedFaces, tiles } = settings;
+    this.options = { ...defaultOptions(), tiles, ...(fixedFaces && { fixedFaces }) };
     for (const name of MORE) Object.assign(this.options, { [name]: settings[name] });
     this.show();
   }
@@ -79,6 +85,13 @@ export class MoreControl {
     const { fixedFaces, ...others } = this.options;
     if (!hasUv || !isReread) this.options = others;
     this.show();
+  }
+
+  /** Whether the mesh has several objects and materials, which can then have tiles of their own. */
+  offerParts(hasObjects: boolean, hasMaterials: boolean): void {
+    const has: Record<PartTiles, boolean> = { object: hasObjects, material: hasMaterials };
+    for (const option of this.tiles.options)
+      option.disabled = option.value !== 'one' && !has[option.value as PartTiles];
   }
 
   private set(some: Partial<MoreOptions>): void {
@@ -118,6 +131,20 @@ export class MoreControl {
     this.addRow(name, select);
   }
 
+  private addTiles(): void {
+    const { tiles } = this;
+    const names = ['one', ...PART_TILES] as const;
+    tiles.append(...names.map((name) => new Option(PACKING.tiles[name], name)));
+    this.shows.push(() => {
+      tiles.value = this.options.tiles ?? 'one';
+    });
+    tiles.addEventListener('change', () => {
+      const chosen = PART_TILES.find((name) => name === tiles.value);
+      this.set({ tiles: chosen });
+    });
+    this.row('more-tiles', OPTIONS.tiles, OPTIONS.aboutTiles, tiles);
+  }
+
   private addNumber(name: 't' | 'texelDensity'): void {
     const input = create('input', 'number');
     const field = new NumberField(
@@ -153,11 +180,20 @@ export class MoreControl {
   }
 
   private addRow(name: MoreName, control: HTMLInputElement | HTMLSelectElement): void {
+    this.row(idOf(name), MORE_LABELS[name], sentence(UNWRAP_OPTIONS[name].text), control);
+  }
+
+  private row(
+    id: string,
+    name: string,
+    about: string,
+    control: HTMLInputElement | HTMLSelectElement,
+  ): void {
     const row = create('div', 'more-row');
-    const label = create('label', '', MORE_LABELS[name]);
-    control.id = idOf(name);
-    label.htmlFor = control.id;
-    row.title = sentence(UNWRAP_OPTIONS[name].text);
+    const label = create('label', '', name);
+    control.id = id;
+    label.htmlFor = id;
+    row.title = about;
     row.append(label, control);
     this.panel.append(row);
   }

@@ -94,7 +94,7 @@ export class Notice {
     const { oneAtlas, aboutOneGlb, aboutOneObj } = OPENED_NOTICE;
     row.append(
       this.choice(OPENED_NOTICE.tabs, OPENED_NOTICE.aboutTabs, () => this.events.tabs(together)),
-      this.choice(oneAtlas, together.every(isGltf) ? aboutOneGlb : aboutOneObj, () =>
+      this.choice(oneAtlas, together.some(isGltf) ? aboutOneGlb : aboutOneObj, () =>
         this.events.oneAtlas(together),
       ),
     );
@@ -120,5 +120,9 @@ function compressed({ name }: FileSource, compressions: string[]): string[] {
 
 function oneOfMany({ name }: FileSource, together: FileSource[]): string[] {
   if (together.length < 2) return [];
-  return [OPENED_NOTICE.oneOfMany(name, together.length)];
+  const shapes = together.some(isGltf) ? together.filter((each) => !isGltf(each)) : [];
+  return [
+    OPENED_NOTICE.oneOfMany(name, together.length),
+    ...(shapes.length > 0 ? [OPENED_NOTICE.shapesOnly(shapes.map((each) => each.name))] : []),
+  ];
 }

@@ -2,7 +2,7 @@ import { element, showText } from '../base/dom';
 import type { AnyProgress } from '../model/model';
 import type { Mode } from '../model/settings';
 import { SOLVER_PROGRESS, STAGES } from '../words/run';
-import { RunClock, usualSearch } from './run-clock';
+import { type Pace, RunClock } from './run-clock';
 
 /** In milliseconds: showing the progress of faster runs would only flicker. */
 const QUIET = 120;
@@ -19,8 +19,10 @@ export class RunPanel {
   private readonly live = element('live', HTMLElement);
   private delay: number | undefined;
   private what = '';
-  private clock = new RunClock(null);
-  private search = usualSearch(0);
+  private clock = new RunClock();
+  private mode: Mode | null = null;
+  /** How the last runs on this mesh went. */
+  private readonly paces = new Map<Mode, Pace>();
 
   constructor(cancel: () => unknown, again: () => void) {
     this.cancelButton.addEventListener('click', cancel);
@@ -31,14 +33,14 @@ export class RunPanel {
   }
 
   /** A mesh was read, and is going to be laid out. */
-  opened(triangles: number): void {
-    this.search = usualSearch(triangles);
+  opened(): void {
+    this.paces.clear();
   }
 
   /** `verb`: the label of the button that repeats the run; `mode`: what is made, null: a mesh is read. */
   start(what: string, verb: string, mode: Mode | null): void {
-    this.search = this.clock.search ?? this.search;
-    this.clock = new RunClock(mode === 'unwrap' ? this.search : null);
+    this.mode = mode;
+    this.clock = new RunClock(mode ? this.paces.get(mode) : undefined);
     this.againButton.textContent = verb;
     this.cancelButton.disabled = false;
     this.againButton.hidden = true;
@@ -88,6 +90,9 @@ export class RunPanel {
 
   /** Screen readers also read out `text`. */
   finish(text: string, canRepeat: boolean): void {
+    const pace = this.mode && this.clock.pace();
+    if (this.mode && pace) this.paces.set(this.mode, pace);
+    this.mode = null;
     clearTimeout(this.delay);
     this.delay = undefined;
     const hadFocus = document.activeElement === this.cancelButton;

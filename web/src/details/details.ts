@@ -9,7 +9,7 @@ const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts', 'objects', 'islands
 const TABS_OF: Record<Mode, Tab[]> = {
   flatten: ['solver', 'sweep', 'methods', 'history'],
   unwrap: ['charts', 'objects', 'history'],
-  pack: ['islands', 'history'],
+  pack: ['islands', 'objects', 'history'],
 };
 
 /** The pane that opens beside the layout and shows one of its tabs at a time. */

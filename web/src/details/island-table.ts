@@ -99,6 +99,7 @@ export class IslandTable {
   private readonly headers: HTMLTableCellElement[] = [];
   private readonly more = create('caption', 'panel-text');
   private islands: Island[] = [];
+  private selected: ReadonlySet<number> = new Set();
   private order = { column: FAULTS, sign: -1 };
 
   constructor(private readonly events: IslandTableEvents) {
@@ -113,6 +114,12 @@ export class IslandTable {
   show(islands: Island[]): void {
     this.islands = islands;
     this.fill();
+  }
+
+  showSelected(islands: ReadonlySet<number>): void {
+    this.selected = islands;
+    for (const row of this.body.rows)
+      row.ariaSelected = String(islands.has(Number(row.dataset.chart)));
   }
 
   private fill(): void {
@@ -151,6 +158,8 @@ export class IslandTable {
   private row(island: Island): HTMLTableRowElement {
     const { index } = island;
     const row = create('tr', '');
+    row.dataset.chart = String(index);
+    row.ariaSelected = String(this.selected.has(index));
     row.append(...COLUMNS.slice(1).map(({ text }) => create('td', '', text(island))));
     row.prepend(nameCell(index));
     if (faultyOf(island) > 0) row.lastElementChild?.classList.add('bad');

@@ -15,6 +15,7 @@ export class IslandsTab {
   private readonly notes = element('islands-notes', HTMLUListElement);
   private table: IslandTable | null = null;
   private shown: Packed | null = null;
+  private selected: ReadonlySet<number> = new Set();
 
   constructor(private readonly events: IslandsTabEvents) {}
 
@@ -33,6 +34,11 @@ export class IslandsTab {
     this.table?.show([]);
   }
 
+  showSelected(islands: ReadonlySet<number>): void {
+    this.selected = islands;
+    this.table?.showSelected(islands);
+  }
+
   private async list(outcome: Packed, areas: ChartAreas): Promise<void> {
     try {
       const { IslandTable, islandsOf } = await loadPart(import('./island-table'));
@@ -40,6 +46,7 @@ export class IslandsTab {
       this.table ??= new IslandTable(this.events);
       this.notes.after(this.table.element);
       this.table.show(islandsOf(outcome, areas));
+      this.table.showSelected(this.selected);
     } catch (error) {
       this.events.say(reasonOf(error as Error));
     }

@@ -1,6 +1,7 @@
 import { element } from '../base/dom';
-import type { Outcome, Source, Unwrapped } from '../model/model';
+import type { Flattened, Outcome, Source } from '../model/model';
 import { type NamedPart, type NamedParts, NO_PARTS } from '../model/named-parts';
+import { densitiesOfCharts } from '../model/painted-densities';
 import type { ChartStates } from '../view/chart-flags';
 import { PARTS } from '../words/objects';
 import type { Workshop } from '../workshop/workshop';
@@ -8,8 +9,8 @@ import { chartsOf } from './part-charts';
 import { type PartActions, PartTable } from './part-table';
 
 export interface ObjectsEvents {
-  /** Whether the mesh has objects or materials to list. */
-  offered(has: boolean): void;
+  /** How many objects and materials the mesh has. */
+  offered(objects: number, materials: number): void;
   say(text: string): void;
 }
 
@@ -17,7 +18,7 @@ export interface ObjectsEvents {
 export class ObjectsTab {
   private readonly objects: PartTable;
   private readonly materials: PartTable;
-  private outcome: Unwrapped | null = null;
+  private outcome: Exclude<Outcome, Flattened> | null = null;
   /** Of the mesh that was shown last. */
   private read: { source: Source; parts: NamedParts } | null = null;
   private listed = NO_PARTS;
@@ -41,7 +42,7 @@ export class ObjectsTab {
 
   /** Null: the mesh on screen has no layout yet. */
   async show(outcome: Outcome | null): Promise<void> {
-    const shown = outcome?.mode === 'unwrap' ? outcome : null;
+    const shown = outcome?.mode === 'flatten' ? null : outcome;
     this.outcome = shown;
     if (!shown) return this.list(NO_PARTS);
     const { source } = shown;
@@ -49,8 +50,10 @@ export class ObjectsTab {
       const parts = await this.workshop.namedParts(shown);
       if (this.outcome !== shown) return;
       this.read = { source, parts };
-      const all = [...parts.objects, ...parts.materials].filter(({ isThere }) => isThere);
-      this.events.offered(all.length > 1);
+      const [objects, materials] = [parts.objects, parts.materials].map(
+        (all) => all.filter(({ isThere }) => isThere).length,
+      );
+      this.events.offered(objects, materials);
     }
     if (this.isSeen) this.update();
   }
@@ -64,14 +67,9 @@ export class ObjectsTab {
     const { outcome, read } = this;
     if (!outcome || read?.source !== outcome.source) return;
     this.list(read.parts);
-    const { chartOfTriangle, report } = outcome.result;
-    const { charts } = report;
-    const densities = outcome.settings.faceDensities;
+    const { charts, count, densities } = chartsIn(outcome);
     for (const table of [this.objects, this.materials])
-      table.show(
-        (part) => chartsOf(part, chartOfTriangle, charts.length),
-        charts.map(({ firstFace }) => densities?.[firstFace] ?? 1),
-      );
+      table.show((part) => chartsOf(part, charts, count), count, densities);
     this.showStates(this.actions.states);
   }
 
@@ -82,4 +80,15 @@ export class ObjectsTab {
     this.objects.list(named(parts.objects));
     this.materials.list(named(parts.materials));
   }
+}
+
+/** The chart of each triangle, how many there are, and the density of each, if that can be asked for. */
+function chartsIn(outcome: Exclude<Outcome, Flattened>) {
+  if (outcome.mode === 'pack') {
+    const { islandOfTriangle, report } = outcome.result;
+    return { charts: islandOfTriangle, count: report.islands, densities: null };
+  }
+  const { chartOfTriangle } = outcome.result;
+  const densities = [...densitiesOfCharts(outcome)];
+  return { charts: chartOfTriangle, count: densities.length, densities };
 }

@@ -60,13 +60,18 @@ export class PartTable {
     this.more.textContent = PART.more(parts.length - MOST_ROWS);
   }
 
-  /** `densities`: of all charts. */
-  show(chartsOf: (part: NamedPart) => ReadonlySet<number>, densities: number[]): void {
-    this.chartCount = densities.length;
+  /** `densities`: of all charts; null if they cannot have any. */
+  show(
+    chartsOf: (part: NamedPart) => ReadonlySet<number>,
+    chartCount: number,
+    densities: number[] | null,
+  ): void {
+    this.chartCount = chartCount;
+    this.place.classList.toggle('without-density', densities === null);
     for (const row of this.rows) {
       row.charts = chartsOf(row.part);
       row.islands.textContent = count(row.charts.size);
-      row.density.update([...row.charts].map((chart) => densities[chart]));
+      if (densities) row.density.update([...row.charts].map((chart) => densities[chart]));
     }
   }
 

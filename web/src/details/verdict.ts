@@ -73,6 +73,8 @@ function unevenDensity(
   areas: ChartAreas,
 ): [number, number] | null {
   const { charts } = result.report;
+  // Each tile of an object has its own density.
+  if (settings.tiles) return null;
   if (!charts.some(({ solver, fixed }) => fixed && solver === 'known')) return null;
   const locked = new Set(settings.kept?.charts);
   const isLocked = (chart: number) => locked.has(chart) && settings.kept?.layout === result;

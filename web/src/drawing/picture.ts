@@ -10,6 +10,7 @@ import {
   vertexNormals,
 } from '../mesh/mesh';
 import { edgesOfOne, weldInCharts } from '../mesh/outline-edges';
+import { pick, positionsOf } from '../mesh/positions-of';
 import { meshCorners } from '../mesh/source-corners';
 import { toUnitSquare } from '../mesh/unit-square';
 import { weld } from '../mesh/weld';
@@ -156,25 +157,4 @@ function edgesOf({ indices, vertexMap }: LayoutArrays, asked: [number, number][]
     if (left.delete(key(vertexMap[a], vertexMap[b]))) found.push(a, b);
   }
   return Uint32Array.from(found);
-}
-
-/** Positions of a layout's vertices; `input` has them if the layout comes without. */
-export function positionsOf(
-  { positions, vertexMap }: Pick<LayoutArrays, 'positions' | 'vertexMap'>,
-  input: Pick<DisplayMesh, 'positions'>,
-): Float64Array {
-  return positions ?? pick(input.positions, 3, vertexMap);
-}
-
-/** Copies the given rows of `size` numbers each. */
-function pick<T extends Float64Array | Float32Array>(
-  values: T,
-  size: number,
-  rows: Uint32Array,
-): T {
-  const Kind = values.constructor as new (length: number) => T;
-  const picked = new Kind(size * rows.length);
-  for (let i = 0; i < rows.length; ++i)
-    for (let d = 0; d < size; ++d) picked[size * i + d] = values[size * rows[i] + d];
-  return picked;
 }

@@ -1,6 +1,7 @@
 import { loadPart, reasonOf } from '../base/load-part';
-import { type ImageSide, isBakeable } from '../model/baking';
+import { bakedFormats, type ImageSide, isBakeable } from '../model/baking';
 import type { Outcome } from '../model/model';
+import type { ExportFormat } from '../words/generated-formats';
 import type { BakeChoice } from './bake-choice';
 
 export interface BakeOfferEvents {
@@ -31,6 +32,11 @@ export class BakeOffer {
   /** Of the new images; null: textures stay as they are. */
   get imageSide(): ImageSide | null {
     return this.choice?.imageSide ?? null;
+  }
+
+  /** What gets new images. */
+  get formats(): ExportFormat[] {
+    return this.imageSide !== null && isBakeable(this.outcome) ? bakedFormats(this.outcome) : [];
   }
 
   private async load(): Promise<void> {

@@ -20,7 +20,7 @@ export class ExportControl {
   private readonly menu: MenuButton;
   private chosen: ExportFormat = EXPORT_FORMATS[0];
   private earlier: string | null = null;
-  private isBaked = false;
+  private baked: ExportFormat[] = [];
 
   constructor(events: ExportEvents) {
     this.button.addEventListener('click', () => events.export());
@@ -51,9 +51,9 @@ export class ExportControl {
     this.choose('glb');
   }
 
-  /** Whether a GLB gets new textures. */
-  showBaked(isBaked: boolean): void {
-    this.isBaked = isBaked;
+  /** The formats that get new textures. */
+  showBaked(formats: ExportFormat[]): void {
+    this.baked = formats;
     this.show();
   }
 
@@ -81,7 +81,9 @@ export class ExportControl {
   private show(): void {
     const { earlier } = this;
     const { title } = exportedFile(this.chosen);
-    const format = this.isBaked && this.chosen === 'glb' ? EXPORT.baked(title) : title;
+    const isBaked = this.baked.includes(this.chosen);
+    const name = this.chosen === 'obj' ? EXPORT.zip : title;
+    const format = isBaked ? EXPORT.baked(name) : title;
     this.text.textContent = earlier ? EXPORT.exportLast : EXPORT.export(format);
     this.button.title = earlier ? EXPORT.previous(earlier) : '';
   }

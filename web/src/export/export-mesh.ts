@@ -1,13 +1,13 @@
 import type { Abflat, MeshInput } from 'abflat';
 import { download } from '../base/download';
 import { exportedFile, exportFormatOf, meshFileOf } from '../base/mesh-files';
-import { type Bakeable, type ImageSide, isBakeable } from '../model/baking';
+import { type Bakeable, bakedFormats, type ImageSide, isBakeable } from '../model/baking';
 import type { Outcome } from '../model/model';
 import { writeAgain } from '../session/write-again';
 import { BAKING } from '../words/baking';
 import { EXPORTED, SAVED } from '../words/exported';
 import type { ExportFormat } from '../words/generated-formats';
-import { bakedGlb } from '../workshop/baked-glb';
+import { bakedFile } from '../workshop/baked-file';
 import type { Workshop } from '../workshop/workshop';
 
 /** What is to be written. */
@@ -30,6 +30,10 @@ export interface Writers {
   progress(fraction: number, what: string): void;
 }
 
+/** Whether it gets new images. */
+const isBaked = ({ outcome, format, imageSide }: Omit<ExportRequest, 'texcoord'>) =>
+  imageSide !== null && isBakeable(outcome) && bakedFormats(outcome).includes(format);
+
 /** What was done, for people. */
 export interface Exported {
   done: string;
@@ -42,8 +46,9 @@ export async function exportMesh(request: ExportRequest, writers: Writers): Prom
   const { source } = request.outcome;
   const base = source.name.replace(/\.[^.]*$/, '');
   const { file, remarks, notes = [] } = await write(request, base, writers);
-  const name = `${base}-uv.${request.format}`;
-  download(name, exportedFile(request.format).type, file);
+  const isArchive = file instanceof Blob && file.type === 'application/zip';
+  const name = `${base}-uv.${isArchive ? 'zip' : request.format}`;
+  download(name, isArchive ? file.type : exportedFile(request.format).type, file);
   const size = file instanceof Blob ? file.size : file.length;
   const exported = EXPORTED.exported(name, SAVED.kilobytes(size));
   return { done: [exported + after(request), ...remarks].join('. '), notes };
@@ -58,8 +63,8 @@ interface Output {
 
 async function write(request: ExportRequest, name: string, writers: Writers): Promise<Output> {
   const { outcome, format, texcoord, imageSide } = request;
-  if (format === 'glb' && imageSide !== null && isBakeable(outcome))
-    return bake(outcome, imageSide, writers);
+  if (imageSide !== null && isBakeable(outcome) && isBaked(request))
+    return bake(outcome, imageSide, await objFor(request, name, writers), writers);
   const own = format === 'glb' ? undefined : outcome.result[format];
   if (own) return { file: own, remarks: [] };
   if (format === 'glb' && outcome.gltf)
@@ -67,11 +72,28 @@ async function write(request: ExportRequest, name: string, writers: Writers): Pr
   return convert(request, name, writers);
 }
 
-async function bake(outcome: Bakeable, side: ImageSide, writers: Writers): Promise<Output> {
+type ForObj = Pick<Parameters<typeof bakedFile>[1], 'obj' | 'objName'>;
+
+/** What an OBJ is to become, or what is to become one: an OBJ is written first, without its images. */
+async function objFor(request: ExportRequest, name: string, writers: Writers): Promise<ForObj> {
+  const isObj = request.format === 'obj';
+  if (request.outcome.gltf) return { obj: null, objName: isObj ? `${name}-uv` : null };
+  if (!isObj) return { obj: { name, written: null }, objName: null };
+  const { file } = await write({ ...request, imageSide: null }, name, writers);
+  const written = file instanceof Blob ? await file.text() : new TextDecoder().decode(file);
+  return { obj: { name: `${name}-uv`, written }, objName: null };
+}
+
+async function bake(
+  outcome: Bakeable,
+  side: ImageSide,
+  forObj: ForObj,
+  writers: Writers,
+): Promise<Output> {
   const onProgress = (fraction: number) => writers.progress(fraction, BAKING.baking);
   const { file, images, notes } = await writers.aside((abflat, _, signal) => {
     onProgress(0);
-    return bakedGlb(abflat, { outcome, side }, { signal, onProgress });
+    return bakedFile(abflat, { outcome, side, ...forObj }, { signal, onProgress });
   });
   const isStacked = outcome.mode === 'unwrap' && Boolean(outcome.stacks?.length);
   const sentences = [BAKING.images(images), ...notes.map(BAKING.note)];
@@ -116,8 +138,9 @@ function setOf({ outcome: { gltf }, texcoord }: ExportRequest): string[] {
   ];
 }
 
-function after({ outcome, format }: ExportRequest): string {
+function after({ outcome, format, imageSide }: ExportRequest): string {
   const { name } = outcome.source;
+  if (isBaked({ outcome, format, imageSide }) && !(outcome.gltf && format === 'glb')) return '';
   const hasMore = Boolean(meshFileOf(name)?.exported);
   if (hasMore && format !== exportFormatOf(name)) return EXPORTED.shapeOnly;
   return outcome.gltf?.compressions.length ? EXPORTED.uncompressed : '';

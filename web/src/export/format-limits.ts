@@ -5,20 +5,27 @@ import type { Outcome } from '../model/model';
 import { EXPORT_FORMATS, type ExportFormat } from '../words/generated-formats';
 import { LIMITS } from '../words/limits';
 
-/** Says in the menu of exports what a file loses in formats other than its own. */
-export function showLimits(outcome: Outcome | null): void {
+/** Says in the menu of exports what a file loses in formats other than its own; those that get new textures lose less. */
+export function showLimits(outcome: Outcome | null, baked: ExportFormat[] = []): void {
   const menu = element('export-menu', HTMLElement);
   for (const format of EXPORT_FORMATS) {
     const item = menu.querySelector(`[data-value="${format}"]`);
     item?.querySelector('small')?.remove();
-    const limit = outcome && limitOf(outcome, format);
+    const limit = outcome && limitOf(outcome, format, baked);
     if (limit) item?.append(' ', create('small', 'format-limit', limit));
   }
 }
 
-/** '' if there is nothing to lose. */
-export function limitOf({ source, gltf }: Outcome, format: ExportFormat): string {
+/** '' if there is nothing to lose. `baked`: the formats that get new textures. */
+export function limitOf(
+  { source, gltf }: Outcome,
+  format: ExportFormat,
+  baked: ExportFormat[] = [],
+): string {
   const { name } = source;
   if (!meshFileOf(name)?.exported || exportFormatOf(name) === format) return '';
-  return gltf && gltf.holds.length > 0 ? LIMITS.loses(gltf.holds) : LIMITS.shapeOnly;
+  const holds = gltf?.holds ?? [];
+  if (baked.includes(format)) return LIMITS.loses(holds.filter((each) => each !== 'materials'));
+  if (baked.length > 0) return LIMITS.notBaked;
+  return LIMITS.loses(holds) || LIMITS.shapeOnly;
 }

@@ -1,7 +1,7 @@
 // A glTF whose textures follow its new layout.
 
 import type { Abflat } from 'abflat';
-import { type BakedTexture, bakeLayout, documentMesh } from 'abflat/gltf';
+import { bakeLayout, documentMesh } from 'abflat/gltf';
 import type { BakeSettings } from '../model/bake-settings';
 import type { GltfFiles, LayoutArrays } from '../model/model';
 import { glbOf, gltfIo, openGltf } from './gltf-source';
@@ -9,7 +9,7 @@ import { glbOf, gltfIo, openGltf } from './gltf-source';
 export interface BakedGltf {
   /** A GLB. */
   file: Blob;
-  images: Pick<BakedTexture, 'maps' | 'side'>[];
+  images: { maps: string[]; side: number }[];
   /** What to know about the new look, one sentence of abflat each. */
   notes: string[];
 }

@@ -1,7 +1,6 @@
 // Several glTF files as one document, so that they share an atlas and stay what they are.
 
 import {
-  type bbox,
   Document,
   type Extension,
   type Graph,
@@ -16,6 +15,7 @@ import { compressionsOf, decompressed } from './compression';
 import { orDamaged } from './gltf-file';
 import { glbOf, gltfIo, openGltf } from './gltf-source';
 import { joinVariants } from './joined-variants';
+import { sideBySide } from './side-by-side';
 
 /** The files as one GLB: what each shows is under a node with its name. */
 export async function joinedGlb(files: GltfFiles[]): Promise<Blob> {
@@ -88,25 +88,8 @@ function addCopyright(joined: Document, document: Document): void {
   if (names.length > 0) asset.copyright = [...new Set(names)].join('; ');
 }
 
-/** Relative to the widest. */
-const GAP = 0.1;
-
-/**
- * Things that are each modelled around the origin would lie in each other, so they go side by side
- * along x. Anything else may be parts of one scene, or of a character, and stays where it is.
- */
 function placeApart(parents: Node[]): void {
-  const boxes = parents
-    .map((parent) => getBounds(parent))
-    .filter(({ min }) => min.every(Number.isFinite));
-  if (boxes.length < parents.length || !boxes.every(isAroundOrigin)) return;
-  const widths = boxes.map(({ min, max }) => max[0] - min[0]);
-  const gap = GAP * Math.max(...widths);
-  let left = boxes[0].min[0];
-  for (const [i, parent] of parents.entries()) {
-    if (i > 0) parent.setTranslation([left - boxes[i].min[0], 0, 0]);
-    left += widths[i] + gap;
-  }
+  const moves = sideBySide(parents.map((parent) => getBounds(parent)));
+  for (const [i, parent] of parents.entries())
+    if (moves[i] !== 0) parent.setTranslation([moves[i], 0, 0]);
 }
-
-const isAroundOrigin = ({ min, max }: bbox) => [0, 2].every((d) => min[d] <= 0 && max[d] >= 0);

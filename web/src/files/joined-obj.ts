@@ -1,17 +1,19 @@
-import type { DisplayMesh } from '../mesh/mesh';
+import { boundingBox, type DisplayMesh, usedVertices } from '../mesh/mesh';
 import { outlines } from '../mesh/outlines';
+import { sideBySide } from './side-by-side';
 
 export interface NamedMesh extends DisplayMesh {
   name: string;
 }
 
-/** The meshes as one OBJ, each an object with its name. Their faces stay polygons. */
+/** The meshes as one OBJ, each an object with its name, side by side. Their faces stay polygons. */
 export function joinedObj(meshes: NamedMesh[]): string[] {
   const parts: string[] = [];
   let before = 1;
-  for (const mesh of meshes) {
+  const moves = sideBySide(meshes.map(boxOf));
+  for (const [i, mesh] of meshes.entries()) {
     const { name, positions } = mesh;
-    parts.push(`o ${oneLine(name)}\n`, verticesOf(positions), facesOf(mesh, before));
+    parts.push(`o ${oneLine(name)}\n`, verticesOf(positions, moves[i]), facesOf(mesh, before));
     before += positions.length / 3;
   }
   return parts;
@@ -19,10 +21,13 @@ export function joinedObj(meshes: NamedMesh[]): string[] {
 
 const oneLine = (name: string) => name.replace(/\s+/g, ' ').trim();
 
-function verticesOf(positions: Float64Array): string {
+const boxOf = ({ positions, indices }: DisplayMesh) =>
+  boundingBox(positions, 3, usedVertices(positions.length / 3, indices));
+
+function verticesOf(positions: Float64Array, moved: number): string {
   const lines: string[] = [];
   for (let i = 0; i < positions.length; i += 3)
-    lines.push(`v ${positions[i]} ${positions[i + 1]} ${positions[i + 2]}\n`);
+    lines.push(`v ${positions[i] + moved} ${positions[i + 1]} ${positions[i + 2]}\n`);
   return lines.join('');
 }
 

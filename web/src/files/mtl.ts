@@ -1,13 +1,17 @@
 // Materials of an OBJ, as far as they are shown. Colours are sRGB.
 
-export interface MtlMaterial {
+/** Where an image lies. Texcoords, with v upwards, are scaled, then moved. */
+export interface MapPlacement {
+  scale: [number, number];
+  offset: [number, number];
+  isClamped: boolean;
+}
+
+export interface MtlMaterial extends MapPlacement {
   diffuse: [number, number, number];
   opacity: number;
   /** Name of an image as written; null: none. */
   map: string | null;
-  scale: [number, number];
-  offset: [number, number];
-  isClamped: boolean;
   /** Whether the image's own opacity counts. */
   hasAlpha: boolean;
 }
@@ -74,15 +78,17 @@ function readColor(numbers: number[], material: Read): void {
 function readMap(rest: string, material: Read): void {
   const { path, options } = pathOf(rest);
   material.map = path || null;
+  Object.assign(material, placementOf(options));
+}
+
+export function placementOf(options: Map<string, string[]>): MapPlacement {
   const [u = 1, v = 1] = options.get('-s')?.map(Number) ?? [];
-  material.scale = [u, v];
   const [x = 0, y = 0] = options.get('-o')?.map(Number) ?? [];
-  material.offset = [x, y];
-  material.isClamped = options.get('-clamp')?.[0] === 'on';
+  return { scale: [u, v], offset: [x, y], isClamped: options.get('-clamp')?.[0] === 'on' };
 }
 
 /** "-s 1 1 1 -clamp on my wood.png": the name of the file may contain blanks. */
-function pathOf(words: string): { path: string; options: Map<string, string[]> } {
+export function pathOf(words: string): { path: string; options: Map<string, string[]> } {
   const options = new Map<string, string[]>();
   let rest = words;
   for (;;) {

@@ -4,10 +4,13 @@ import { GLTF } from '../words/gltf';
 import { gltfIo } from './gltf-source';
 import { originOf, relativeTo } from './origin';
 
-/** A mesh that comes from no glTF, with its layout: positions, UVs, triangles and a material, all called `name`. */
+/**
+ * A mesh that comes from no glTF, with its layout if it has one: positions, UVs, triangles and a
+ * material, all called `name`.
+ */
 export async function newGlb(
   name: string,
-  { uv, indices }: Pick<LayoutArrays, 'uv' | 'indices'>,
+  { uv, indices }: Pick<LayoutArrays, 'indices'> & Partial<Pick<LayoutArrays, 'uv'>>,
   positions: Float64Array,
 ): Promise<Blob> {
   if (!positions.every((x) => Number.isFinite(Math.fround(x)))) throw new Error(GLTF.tooLarge);
@@ -20,7 +23,7 @@ export async function newGlb(
 
 function documentOf(
   name: string,
-  uv: Float64Array,
+  uv: Float64Array | undefined,
   indices: Uint32Array,
   positions: Float32Array<ArrayBuffer>,
 ): Document {
@@ -31,9 +34,10 @@ function documentOf(
   const primitive = document
     .createPrimitive()
     .setAttribute('POSITION', accessor().setType('VEC3').setArray(positions))
-    .setAttribute('TEXCOORD_0', accessor().setType('VEC2').setArray(texcoordsOf(uv)))
     .setIndices(accessor().setArray(isSmall ? new Uint16Array(indices) : new Uint32Array(indices)))
     .setMaterial(document.createMaterial(name).setMetallicFactor(0));
+  if (uv)
+    primitive.setAttribute('TEXCOORD_0', accessor().setType('VEC2').setArray(texcoordsOf(uv)));
   const node = document.createNode(name).setMesh(document.createMesh(name).addPrimitive(primitive));
   document.createScene().addChild(node);
   return document;

@@ -8,6 +8,10 @@ export interface ObjCorners {
   vertices: number[];
   /** The texcoord of each corner. */
   texcoordOf: number[];
+  /** The normal of each corner; undefined where there is none. */
+  normalOf: (number | undefined)[];
+  /** x, y and z of each normal. */
+  normals: number[];
   /** u and v of each texcoord. */
   texcoords: number[];
   /** The material of each face, as a number of `names`. */
@@ -25,6 +29,8 @@ export function readObjCorners(text: string): ObjCorners {
     offsets: [0],
     vertices: [],
     texcoordOf: [],
+    normalOf: [],
+    normals: [],
     texcoords: [],
     materials: [],
     names: [''],
@@ -67,6 +73,7 @@ function readLine(line: string, state: State): void {
   if (line.startsWith('f ') || line.startsWith('f\t')) readFace(wordsOf(line), state);
   else if (line.startsWith('v ') || line.startsWith('v\t')) readVertex(line, state);
   else if (line.startsWith('vt')) readTexcoord(wordsOf(line), state);
+  else if (line.startsWith('vn')) state.normals.push(...wordsOf(line).slice(0, 3).map(Number));
   else if (line.startsWith('usemtl')) useMaterial(line.slice(6).trim(), state);
   else if (line.startsWith('mtllib')) {
     const name = line.slice(6).trim();
@@ -83,22 +90,25 @@ function wordsOf(line: string): string[] {
   return words;
 }
 
-/** "v/vt/vn", as v and vt; vt is 0 if there is none. */
-function cornerOf(word: string): [number, number] {
+/** "v/vt/vn"; 0 for what is not there. */
+function cornerOf(word: string): [number, number, number] {
   const first = word.indexOf('/');
-  if (first < 0) return [Number(word), 0];
+  if (first < 0) return [Number(word), 0, 0];
   const second = word.indexOf('/', first + 1);
   const texcoord = word.slice(first + 1, second < 0 ? word.length : second);
-  return [Number(word.slice(0, first)), Number(texcoord)];
+  const normal = second < 0 ? 0 : Number(word.slice(second + 1));
+  return [Number(word.slice(0, first)), Number(texcoord), normal];
 }
 
 function readFace(words: string[], state: State): void {
   const texcoordCount = state.texcoords.length / 2;
   for (const word of words) {
-    const [vertex, texcoord] = cornerOf(word);
+    const [vertex, texcoord, normal] = cornerOf(word);
     state.vertices.push(vertex > 0 ? vertex - 1 : state.vertexCount + vertex);
     const t = texcoord > 0 ? texcoord - 1 : texcoordCount + texcoord;
     state.texcoordOf.push(texcoord && t >= 0 ? t : NO_TEXCOORD);
+    const n = normal > 0 ? normal - 1 : state.normals.length / 3 + normal;
+    state.normalOf.push(normal && n >= 0 ? n : undefined);
   }
   state.offsets.push(state.vertices.length);
   state.materials.push(state.material);

@@ -42,7 +42,7 @@ async function materialsOf(
 }
 
 /** A name may contain blanks, and a line may have several names. */
-function librariesOf(line: string, others: File[]): string[] {
+export function librariesOf(line: string, others: File[]): string[] {
   const words = line.split(/\s+/);
   return words.some((word) => fileNamed(word, others)) ? words : [line];
 }

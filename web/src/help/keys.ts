@@ -94,6 +94,16 @@ export const CONTROLS: ControlGroup[] = [
     ],
   },
   {
+    title: HELP.densities.title,
+    where: HELP.densities.where,
+    controls: [
+      { keys: ['D'], does: HELP.densities.toggle },
+      { keys: [], gestures: GESTURES.dragMesh, does: HELP.densities.paint },
+      { keys: ['Alt'], gestures: GESTURES.altDrag, does: HELP.densities.erase },
+      { keys: ['Enter', 'Space'], does: HELP.densities.middle },
+    ],
+  },
+  {
     title: HELP.charts.title,
     where: HELP.charts.where,
     controls: [
@@ -113,6 +123,7 @@ export const CONTROLS: ControlGroup[] = [
         does: HELP.charts.move,
       },
       { keys: ['E'], does: HELP.charts.align },
+      { keys: ['F'], does: HELP.charts.flip },
       { keys: ['Escape'], does: HELP.charts.none },
     ],
   },

@@ -123,9 +123,13 @@ function areaScale(in3d: Float64Array, inUv: Float64Array): number {
   return sum(in3d) / sum(inUv);
 }
 
+/** Triangles without uv have no chart. */
+const NO_CHART = 0xffffffff;
+
 function chartScales(in3d: Float64Array, inUv: Float64Array, charts: Uint32Array): Float64Array {
   let count = 0;
-  for (let f = 0; f < charts.length; ++f) if (charts[f] >= count) count = charts[f] + 1;
+  for (let f = 0; f < charts.length; ++f)
+    if (charts[f] >= count && charts[f] !== NO_CHART) count = charts[f] + 1;
   const before = new Float64Array(count);
   const after = new Float64Array(count);
   for (let f = 0; f < charts.length; ++f) {

@@ -1,6 +1,9 @@
 // How the textures of a glTF follow its new layout.
 
-import type { Outcome, Packed, Unwrapped } from './model';
+import { meshFileOf } from '../base/mesh-files';
+import type { ExportFormat } from '../words/generated-formats';
+import type { Outcome, Packed, Source, Unwrapped } from './model';
+import { isAsInFile } from './settings';
 
 /** Of the new images, in texels. */
 export type ImageSide = number | 'auto';
@@ -9,6 +12,17 @@ export type ImageSide = number | 'auto';
 export type Bakeable = Unwrapped | Packed;
 
 export const isBakeable = (outcome: Outcome | null): outcome is Bakeable =>
-  Boolean(outcome?.gltf?.hasMaps) &&
+  Boolean(outcome?.gltf?.hasMaps || (outcome && hasObjImages(outcome.source))) &&
   outcome?.mode !== 'flatten' &&
-  !(outcome?.mode === 'pack' && outcome.settings.keepPlaces);
+  !(outcome?.mode === 'pack' && isAsInFile(outcome.settings));
+
+/** Whether an OBJ came with a material file and images. */
+function hasObjImages(source: Source): boolean {
+  if (source.kind !== 'file' || meshFileOf(source.name)?.format !== 'obj') return false;
+  const has = (ending: RegExp) => source.others.some(({ name }) => ending.test(name));
+  return has(/\.mtl$/i) && has(/\.(png|jpe?g|webp)$/i);
+}
+
+/** What can hold the new images: a GLB, or an archive with an OBJ and its materials. */
+export const bakedFormats = ({ gltf }: Bakeable): ExportFormat[] =>
+  gltf ? ['glb', 'obj'] : ['obj', 'glb'];

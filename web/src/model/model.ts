@@ -137,6 +137,8 @@ export interface Helpers {
   outcome(outcome: Outcome): Promise<FlatDrawing>;
   gltf(source: FileSource, signal: AbortSignal): Promise<GltfFile>;
   joined(mesh: ArrayMesh): Promise<ArrayMesh>;
+  /** Objects and materials. */
+  namedParts(opened: Pick<Opened, 'source' | 'gltf' | 'mesh'>): Promise<NamedParts>;
   /** Islands of a file that share texels on purpose. */
   fileStacks(packed: Packed): Promise<FileStacks>;
   /** Charts of an atlas that share texels. */

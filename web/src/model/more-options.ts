@@ -1,23 +1,17 @@
 import { UNWRAP_DEFAULTS, type UnwrapOptionValues } from 'abflat';
 import { OPTION_LABELS, OPTIONS } from '../words/controls';
-
-/** Less common options of an atlas, in the order in which they are shown. */
-export const MORE = [
-  'fillHoles',
-  'symmetricSeams',
-  't',
-  'texelDensity',
-  'up',
-  'rotate',
-  'rectify',
-  'packingCuts',
-  'stack',
-  'straightSeams',
-  'udim',
-] as const satisfies (keyof UnwrapOptionValues)[];
+import { SETTINGS } from '../words/run';
+import { PACKING } from '../words/selection';
+import { MORE } from './more-names';
 
 export type MoreName = (typeof MORE)[number];
+/** What can have UDIM tiles of its own. */
+export const PART_TILES = ['object', 'material'] as const;
+export type PartTiles = (typeof PART_TILES)[number];
+
 export interface MoreOptions extends Pick<UnwrapOptionValues, MoreName> {
+  /** Each of these has a tile of its own; undefined: all share one, or those of `udim`. */
+  tiles?: PartTiles;
   /** Faces that have uv in the file keep it. */
   fixedFaces?: 'uv';
 }
@@ -31,8 +25,9 @@ export function defaultOptions(): MoreOptions {
   return { ...first, rotate, rectify, packingCuts, stack, straightSeams, udim };
 }
 
-/** Several tiles need a given texel density. */
-export const canHaveTiles = ({ texelDensity }: MoreOptions) => texelDensity !== 'auto';
+/** Several tiles need a given texel density, and are not those of objects. */
+export const canHaveTiles = ({ texelDensity, tiles }: MoreOptions) =>
+  texelDensity !== 'auto' && tiles === undefined;
 
 /** The options that are passed to abflat. */
 export function usedOptions(options: MoreOptions): MoreOptions {
@@ -47,7 +42,9 @@ export function changedOptions(options: MoreOptions): string[] {
     if (typeof value === 'boolean') return value ? label : OPTIONS.off(label);
     return OPTIONS.setTo(label, value);
   });
-  return options.fixedFaces ? [OPTIONS.keepingUvs, ...changed] : changed;
+  const kept = options.fixedFaces ? [OPTIONS.keepingUvs] : [];
+  const tiles = options.tiles ? [SETTINGS.tiles(PACKING.tiles[options.tiles])] : [];
+  return [...kept, ...changed, ...tiles];
 }
 
 /** Without its capital letter, unless it begins with an acronym. */

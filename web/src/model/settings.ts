@@ -67,8 +67,15 @@ export interface UnwrapSettings extends MoreOptions, Marks {
   placed?: Placed;
 }
 
+/** Where islands of a file are packed: in one tile, in those that they are in, or in one for each part. */
+export const TILES = ['one', 'file', 'object', 'material'] as const;
+export type Tiles = (typeof TILES)[number];
+
 /** How the islands of a file are packed. */
-export type PackChoices = Pick<PackOptionValues, 'padding' | 'margin' | 'rotate' | 'islandSizes'>;
+export interface PackChoices
+  extends Pick<PackOptionValues, 'padding' | 'margin' | 'rotate' | 'islandSizes'> {
+  tiles: Tiles;
+}
 
 /** What the user can ask of the UVs of a file. */
 export interface PackSettings extends Partial<PackChoices> {
@@ -77,13 +84,15 @@ export interface PackSettings extends Partial<PackChoices> {
   keepPlaces: boolean;
   /** Texels along a side. */
   resolution: number;
+  /** In place of the UVs of the file, 2 per corner of its triangles: they were changed by hand. */
+  uv?: Float64Array;
 }
 
 export type Settings = FlattenSettings | UnwrapSettings | PackSettings;
 
 export function usualPackChoices(): PackChoices {
   const { padding, margin, rotate, islandSizes } = PACK_DEFAULTS;
-  return { padding, margin, rotate, islandSizes };
+  return { padding, margin, rotate, islandSizes, tiles: 'one' };
 }
 
 /** How islands are packed does not matter while they stay where they are. */
@@ -91,12 +100,21 @@ export const packSettings = (
   keepPlaces: boolean,
   resolution: number,
   choices: PackChoices,
-): PackSettings => ({ mode: 'pack', keepPlaces, resolution, ...(!keepPlaces && choices) });
+  uv?: Float64Array,
+): PackSettings => ({
+  ...{ mode: 'pack', keepPlaces, resolution },
+  ...(!keepPlaces && choices),
+  ...(uv && { uv }),
+});
+
+/** Whether the UVs are those of the file. */
+export const isAsInFile = (settings: PackSettings): boolean =>
+  settings.keepPlaces && settings.uv === undefined;
 
 /** Whether the layout itself depends on what was done by hand to this mesh, which no other mesh takes over. */
 export function isMadeByHand(settings: Settings): boolean {
   if (settings.mode === 'flatten') return settings.bounds !== undefined;
-  if (settings.mode === 'pack') return false;
+  if (settings.mode === 'pack') return settings.uv !== undefined;
   const { seamEdges, placed, faceDensities } = settings;
   const isMoved = placed !== undefined && !placed.repacks;
   return isMoved || Boolean(seamEdges ?? faceDensities);

@@ -1,7 +1,7 @@
 import type { Abflat } from 'abflat';
 import type { NamedMesh } from '../files/joined-obj';
 import type { DisplayMesh } from '../mesh/mesh';
-import { type FileSource, isGltf } from '../model/model';
+import { type FileSource, type GltfFiles, isGltf } from '../model/model';
 import { inOwnWorker } from '../workshop/start-worker';
 import type { Workshop } from '../workshop/workshop';
 
@@ -12,24 +12,39 @@ export interface Joiners {
 }
 
 /**
- * Several meshes as one file, so that they are unwrapped into one atlas. glTF files become one GLB
- * with all that is in them; with others among them, each becomes an object of an OBJ.
+ * Several meshes as one file, so that they are unwrapped into one atlas. If there is a glTF, that is
+ * one GLB with all that is in such files, and the shapes of the others; otherwise each mesh becomes an
+ * object of an OBJ.
  */
 export async function oneFile(
   sources: FileSource[],
   joiners: Joiners,
   signal: AbortSignal,
 ): Promise<File> {
-  const isWhole = sources.every(isGltf);
-  const file = isWhole ? await oneGlb(sources, signal) : await oneObj(sources, joiners, signal);
+  const isGlb = sources.some(isGltf);
+  const file = await (isGlb ? oneGlb : oneObj)(sources, joiners, signal);
   signal.throwIfAborted();
-  return new File([file], nameOf(sources, isWhole ? 'glb' : 'obj'), { type: file.type });
+  return new File([file], nameOf(sources, isGlb ? 'glb' : 'obj'), { type: file.type });
 }
 
 /** What is compressed may be decoded forever, so it has a worker of its own. */
-function oneGlb(sources: FileSource[], signal: AbortSignal): Promise<Blob> {
-  const files = sources.map(({ file, others }) => ({ file, others }));
+async function oneGlb(sources: FileSource[], joiners: Joiners, signal: AbortSignal): Promise<Blob> {
+  const files: GltfFiles[] = [];
+  for (const source of sources) {
+    const { file, others } = source;
+    files.push(isGltf(source) ? { file, others } : await shapeOf(source, joiners, signal));
+  }
   return inOwnWorker('joiner', (tasks) => tasks.joinedGlb(files), signal);
+}
+
+async function shapeOf(
+  source: FileSource,
+  joiners: Joiners,
+  signal: AbortSignal,
+): Promise<GltfFiles> {
+  const name = baseOf(source);
+  const glb = await joiners.workshop.shapeGlb(name, await read(source, joiners, signal));
+  return { file: new File([glb], `${name}.glb`), others: [] };
 }
 
 async function oneObj(sources: FileSource[], joiners: Joiners, signal: AbortSignal): Promise<Blob> {

@@ -77,6 +77,11 @@ export class SeamEditor {
     return this.tools.tool === null;
   }
 
+  /** Clicks on the mesh are to do nothing here. */
+  rest(): void {
+    this.tools.leave();
+  }
+
   /** What is to be cut or joined with some edges. */
   setSymmetry(alike: Symmetry): void {
     this.alike = alike;

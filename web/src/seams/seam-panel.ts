@@ -149,6 +149,11 @@ export class SeamPanel {
     };
   }
 
+  /** Where seams are edited, as soon as it is there; null if it cannot be. */
+  async surface(): Promise<Surface | null> {
+    return (await this.ready())?.surface ?? null;
+  }
+
   get choice(): SeamChoice {
     return this.model?.choice ?? AUTOMATIC;
   }

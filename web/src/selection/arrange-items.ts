@@ -6,14 +6,16 @@ export interface ArrangeItem {
   about: string;
   /** Does the same. */
   key?: string;
+  /** It is for islands of a file alone. */
+  isForFiles?: true;
   act(): void;
 }
 
 /** Adds entries below the one that aligns charts. */
 export function addToArrange(items: ArrangeItem[]): void {
   const menu = element('arrange-menu', HTMLElement);
-  const made = items.map(({ text, about, key, act }) => {
-    const item = create('button', '', text);
+  const made = items.map(({ text, about, key, isForFiles, act }) => {
+    const item = create('button', isForFiles ? 'for-files' : '', text);
     item.type = 'button';
     item.role = 'menuitem';
     item.tabIndex = -1;

@@ -1,7 +1,7 @@
 import { chartsInArea } from '../arrange/charts-in-area';
 import type { Point } from '../arrange/motion';
 import { reasonOf } from '../base/load-part';
-import type { Unwrapped } from '../model/model';
+import type { Arrangeable } from '../model/arrangeable';
 import { CHOOSING } from '../words/choosing';
 import { SELECTION } from '../words/selection';
 import type { Workshop } from '../workshop/workshop';
@@ -13,7 +13,7 @@ import type { SelectName } from './select-menu';
 
 export interface ChartChoiceEvents {
   /** The atlas on screen, with charts where they are now; null if there is none. */
-  layout(): Unwrapped | null;
+  layout(): Arrangeable | null;
   /** The next drag is to draw this. */
   draw(kind: AreaKind): void;
   say(text: string): void;
@@ -71,7 +71,7 @@ export class ChartChoice {
     actions[how]();
   }
 
-  private withParts(outcome: Unwrapped, kind: PartKind): Find {
+  private withParts(outcome: Arrangeable, kind: PartKind): Find {
     return async (charts) => {
       const parts = await partsOfFile(outcome, kind, this.workshop);
       return parts ? chartsWithParts(outcome.result, parts, charts) : charts;
@@ -79,7 +79,7 @@ export class ChartChoice {
   }
 
   /** Selects what is like the selected charts, too. */
-  private addLike(outcome: Unwrapped, how: keyof typeof CHOOSING.noneFound, find: Find): void {
+  private addLike(outcome: Arrangeable, how: keyof typeof CHOOSING.noneFound, find: Find): void {
     const { selected } = this.selection;
     if (selected.size === 0) {
       this.events.say(SELECTION.none);

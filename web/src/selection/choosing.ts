@@ -2,8 +2,8 @@
 
 import type { ChartArrays } from '../arrange/charts';
 import { areaOf } from '../arrange/stacks';
+import type { Arrangeable } from '../model/arrangeable';
 import { isOverlapping } from '../model/misplaced';
-import type { Unwrapped } from '../model/model';
 
 /** The charts with triangles that run clockwise. */
 export function flippedCharts(arrays: ChartArrays): Set<number> {
@@ -15,7 +15,12 @@ export function flippedCharts(arrays: ChartArrays): Set<number> {
 }
 
 /** Those that overlap another one, which abflat names by a face, and those that share texels on purpose. */
-export function overlappingCharts({ result, stacks = [] }: Unwrapped): Set<number> {
+export function overlappingCharts(outcome: Arrangeable): Set<number> {
+  if (outcome.mode === 'pack') {
+    const islands = [...outcome.result.report.charts.entries()];
+    return new Set(islands.flatMap(([i, { lies }]) => (lies === 'apart' ? [] : i)));
+  }
+  const { result, stacks = [] } = outcome;
   const { charts } = result.report;
   const found = new Set(stacks.flat());
   charts.forEach(({ problem }, chart) => {
@@ -28,7 +33,7 @@ export function overlappingCharts({ result, stacks = [] }: Unwrapped): Set<numbe
   return found;
 }
 
-export function stretchedCharts({ result }: Unwrapped, limit: number): Set<number> {
+export function stretchedCharts({ result }: Arrangeable, limit: number): Set<number> {
   const charts = [...result.report.charts.entries()];
   return new Set(
     charts.flatMap(([i, { symmetricDirichlet }]) => (symmetricDirichlet > limit ? i : [])),

@@ -1,4 +1,4 @@
-import type { Unwrapped } from '../model/model';
+import type { Arrangeable } from '../model/arrangeable';
 import type { NamedPart } from '../model/named-parts';
 import type { Workshop } from '../workshop/workshop';
 
@@ -9,7 +9,7 @@ export type PartKind = 'material' | 'group';
  * has none of the kind. Without named groups, those are connected parts.
  */
 export async function partsOfFile(
-  outcome: Unwrapped,
+  outcome: Arrangeable,
   kind: PartKind,
   workshop: Pick<Workshop, 'namedParts' | 'connectedParts'>,
 ): Promise<ArrayLike<number> | null> {

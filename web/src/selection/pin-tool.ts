@@ -27,8 +27,8 @@ export interface PinEvents {
   /** Those that must not because the file has them as they are. */
   keptUvs(): ReadonlySet<number>;
   hidden(): ReadonlySet<number>;
-  /** A chart as a mesh of its own. */
-  chart(outcome: Unwrapped, chart: number): Promise<ChartMesh>;
+  /** Charts as meshes of their own. */
+  charts(outcome: Unwrapped, charts: Uint32Array): Promise<ChartMesh[]>;
   /** How a layout follows the first of some pinned vertices. */
   weights(layout: ChartMesh, pins: number[]): Promise<Float64Array>;
   /** Other vertices are pinned; `what` was done. */
@@ -184,7 +184,7 @@ export class PinTool {
     const { result } = outcome;
     const chart = chartOfCorner(result, corner);
     const corners = [corner, ...othersInChart(this.pins, result, corner)];
-    const mesh = await this.events.chart(outcome, chart);
+    const [mesh] = await this.events.charts(outcome, Uint32Array.of(chart));
     const numbers = corners.map((each) => mesh.vertices.indexOf(result.indices[each]));
     return { chart, mesh, weights: await this.events.weights(mesh, numbers) };
   }

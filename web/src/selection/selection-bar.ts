@@ -1,6 +1,6 @@
-import type { UnwrapReport } from 'abflat';
 import { element } from '../base/dom';
 import { MenuButton } from '../controls/menu-button';
+import type { ChartList } from '../model/arrangeable';
 import type { ChartStates } from '../view/chart-flags';
 import { SELECTION } from '../words/selection';
 
@@ -36,7 +36,7 @@ export class SelectionBar {
     this.showAll.addEventListener('click', () => actions.showAll());
   }
 
-  show({ selected, hidden }: ChartStates, report: UnwrapReport | null): void {
+  show({ selected, hidden }: ChartStates, report: ChartList | null): void {
     this.bar.hidden = report === null || (selected.size === 0 && hidden.size === 0);
     for (const button of this.onSelected) button.hidden = selected.size === 0;
     // It would show all, too.
@@ -54,7 +54,7 @@ export class SelectionBar {
   }
 
   /** Shows what a gesture does in place of the buttons; null: the buttons again. */
-  showGesture(text: string | null, states: ChartStates, report: UnwrapReport | null): void {
+  showGesture(text: string | null, states: ChartStates, report: ChartList | null): void {
     this.gesture = text;
     this.show(states, report);
   }
@@ -63,7 +63,7 @@ export class SelectionBar {
 function selectionText(
   selected: ReadonlySet<number>,
   hidden: ReadonlySet<number>,
-  { charts }: UnwrapReport,
+  { charts }: ChartList,
 ): string {
   if (selected.size === 0) return SELECTION.hidden(hidden.size);
   const sum = (of: (chart: (typeof charts)[number]) => number, numbers: Iterable<number>) =>

@@ -1,9 +1,9 @@
-import type { UnwrapReport } from 'abflat';
 import { middleOf } from '../arrange/charts';
 import type { GestureKind } from '../arrange/gesture';
 import { type Motion, STILL, turned } from '../arrange/motion';
 import { element } from '../base/dom';
 import { DensityField } from '../controls/density-field';
+import type { ChartList } from '../model/arrangeable';
 import { Aim, type Modifiers } from '../view/aim';
 import type { ChartStates, StackedCharts } from '../view/chart-flags';
 import type { Pixel } from '../view/sight';
@@ -25,8 +25,8 @@ export interface SelectionEvents {
   staying(): ReadonlySet<number>;
   /** Those that stay because the file has them there. */
   keptUvs(): ReadonlySet<number>;
-  /** What a face asks for: its texel density relative to the others. */
-  densityOf(face: number): number;
+  /** The texel density that each chart asks for, relative to the others; null where nothing is asked for. */
+  densities(): ArrayLike<number> | null;
   /** Charts are to be moved; `what` has been done to them. */
   arranged(arranged: Arranged, what: string): void;
   say(text: string): void;
@@ -42,7 +42,7 @@ export class SelectionPanel {
   private readonly density: DensityField;
   private readonly densityLabel = element('selection-density-label', HTMLElement);
   private readonly mover: Mover;
-  private report: UnwrapReport | null = null;
+  private report: ChartList | null = null;
 
   constructor(
     private readonly views: Views,
@@ -75,7 +75,7 @@ export class SelectionPanel {
   }
 
   /** The charts of another atlas; null for a layout in one piece. The same charts stay selected. */
-  open(report: UnwrapReport | null): void {
+  open(report: ChartList | null): void {
     const isSame = hasSameCharts(report, this.report);
     this.report = report;
     if (!isSame) {
@@ -246,10 +246,11 @@ export class SelectionPanel {
 
   /** The densities of charts may have changed. */
   showDensity(): void {
-    const charts = this.report?.charts ?? [];
-    const faces = [...this.movable].flatMap((chart) => charts[chart]?.firstFace ?? []);
-    this.densityLabel.hidden = faces.length === 0;
-    this.density.update(faces.map((face) => this.events.densityOf(face)));
+    const { movable } = this;
+    const asked = movable.size > 0 ? this.events.densities() : null;
+    const densities = asked ? Array.from(movable, (chart) => asked[chart]) : [];
+    this.densityLabel.hidden = densities.length === 0;
+    this.density.update(densities);
   }
 
   private show(): void {
@@ -265,11 +266,11 @@ const together = (charts: ReadonlySet<number>, motion: Motion): Arranged => ({
   motions: Array.from(charts, () => motion),
 });
 
-const invalidCharts = (report: UnwrapReport | null): ReadonlySet<number> =>
+const invalidCharts = (report: ChartList | null): ReadonlySet<number> =>
   new Set(report?.charts.flatMap(({ valid }, chart) => (valid ? [] : [chart])));
 
 /** The charts that abflat has put on others. */
-function stackedIn(report: UnwrapReport | null): StackedCharts {
+function stackedIn(report: ChartList | null): StackedCharts {
   const charts = [...(report?.charts ?? []).entries()];
   const stacked = charts.filter(([, { stackedOn }]) => stackedOn >= 0);
   return {
@@ -279,7 +280,7 @@ function stackedIn(report: UnwrapReport | null): StackedCharts {
 }
 
 /** Whether two atlases have the same charts, if perhaps in other places. */
-function hasSameCharts(a: UnwrapReport | null, b: UnwrapReport | null): boolean {
+function hasSameCharts(a: ChartList | null, b: ChartList | null): boolean {
   return (
     a !== null &&
     a.charts.length === b?.charts.length &&

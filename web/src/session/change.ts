@@ -1,9 +1,11 @@
 // Names changes of settings, as the history shows them.
 
-import { MORE, MORE_LABELS } from '../model/more-options';
-import type { Settings } from '../model/settings';
+import { MORE } from '../model/more-names';
+import { MORE_LABELS } from '../model/more-options';
+import type { Settings, Tiles } from '../model/settings';
 import type { Bound } from '../words/format';
 import { CHANGES } from '../words/run';
+import { PACKING } from '../words/selection';
 import { layingOut } from './words';
 
 export interface Change {
@@ -19,6 +21,7 @@ type Values = Record<string, unknown>;
 const NAMES: Record<string, (value: never) => Change> = {
   keepPlaces: (keeps: boolean) => ({ text: keeps ? CHANGES.fileUvs : CHANGES.packIslands }),
   margin: (texels: number | 'auto') => ({ text: CHANGES.margin(texels), stream: 'margin' }),
+  tiles: (tiles: Tiles = 'one') => ({ text: CHANGES.tiles(PACKING.tiles[tiles]) }),
   islandSizes: (sizes: string) => ({ text: CHANGES.sizes(sizes) }),
   t: (t: Bound) => ({ text: CHANGES.t(t), stream: 't' }),
   balance: (balance: number) => ({ text: CHANGES.balance(balance), stream: 'balance' }),

@@ -2,7 +2,8 @@ import type { Abflat, AbflatError, UnwrapOptions } from 'abflat';
 import { copied } from '../base/buffers';
 import { loadPart } from '../base/load-part';
 import { exportFormatOf } from '../base/mesh-files';
-import type { AnyProgress, Flattened, Opened, Outcome, Unwrapped } from '../model/model';
+import type { AnyProgress, Flattened, Helpers, Opened, Outcome, Unwrapped } from '../model/model';
+import type { NamedPart } from '../model/named-parts';
 import { type FlattenSettings, sameButSeams, type UnwrapSettings } from '../model/settings';
 import { stackedCharts, stacksIn, withStacks } from '../model/stacks';
 import type { ExportFormat } from '../words/generated-formats';
@@ -27,11 +28,16 @@ type Earlier = Pick<UnwrapOptions, 'known' | 'fixedCharts' | 'keepsPlaces' | 'se
  * where they are. After an edit of seams, or when charts were moved, all that it leaves unchanged
  * stay where they are. Neither moving nor packing charts again cuts them.
  */
-function fromEarlier(settings: UnwrapSettings, last: Unwrapped | null): Earlier {
+function fromEarlier(
+  settings: UnwrapSettings,
+  last: Unwrapped | null,
+  hasOwnTiles: boolean,
+): Earlier {
   const { kept, placed, fixedFaces } = settings;
   const given = placed === last?.settings.placed ? undefined : placed;
   const isEdit = last !== null && isSeamEdit(last.settings, settings);
-  const keepsPlaces = given ? !given.repacks : isEdit;
+  // Where new charts would go is not known to abflat if parts have tiles of their own.
+  const keepsPlaces = given ? !given.repacks : isEdit && !hasOwnTiles;
   const layout = given ?? last?.result;
   const seams = given ? { seams: 'none', seamEdges: given.seams } : {};
   if (!kept || kept.charts.length === 0) {
@@ -61,6 +67,22 @@ const isSeamEdit = (before: UnwrapSettings, after: UnwrapSettings) =>
   (after.seamEdges !== before.seamEdges || after.seams !== before.seams) &&
   sameButSeams(before, after);
 
+/** Those that have tiles of their own; null if there are not several. */
+async function partsWithTiles(
+  opened: Pick<Opened, 'source' | 'mesh' | 'gltf'>,
+  tiles: UnwrapSettings['tiles'],
+  helpers: Pick<Helpers, 'namedParts'>,
+): Promise<readonly NamedPart[] | null> {
+  if (!tiles) return null;
+  const { objects, materials } = await helpers.namedParts(opened);
+  const parts = tiles === 'object' ? objects : materials;
+  return parts.filter(({ isThere }) => isThere).length > 1 ? parts : null;
+}
+
+/** Charts that are still to be packed in tiles fit in one at first; others may be in any. */
+const forOwnTiles = ({ keepsPlaces }: UnwrapOptions): UnwrapOptions =>
+  keepsPlaces ? { udim: true, texelDensity: 1 } : { udim: false, texelDensity: 'auto' };
+
 /**
  * One run of abflat with these settings. `earlier`: the last outcome, of any mesh; `format`: that of
  * the file to write.
@@ -71,7 +93,7 @@ export async function layOut(
   settings: FlattenSettings | UnwrapSettings,
   earlier: Outcome | null,
   watch: Watch,
-  helpers: StackHelpers,
+  helpers: StackHelpers & Pick<Helpers, 'namedParts'>,
   format: ExportFormat = exportFormatOf(source.name),
 ): Promise<Flattened | Unwrapped> {
   const roundsForGltf = exportFormatOf(source.name) === 'glb';
@@ -89,10 +111,12 @@ export async function layOut(
     });
     return { mode, source, mesh, gltf, settings, result };
   }
-  const { mode, kept, placed, pins, ...options } = settings;
+  const { mode, kept, placed, pins, tiles, ...options } = settings;
+  const parts = await partsWithTiles({ source, mesh, gltf }, tiles, helpers);
   const unwrap = async (known: UnwrapOptions) =>
     abflat.unwrap(await copied(input), {
       ...options,
+      ...(parts && forOwnTiles(known)),
       ...known,
       ...file,
       keepsValidOnly: true,
@@ -101,7 +125,7 @@ export async function layOut(
       ...watch,
     });
   const last = earlier?.mode === 'unwrap' && earlier.source === source ? earlier : null;
-  const known = fromEarlier(settings, last);
+  const known = fromEarlier(settings, last, parts !== null);
   const made = ({ stacks, ...rest }: Packed): Unwrapped => {
     const isAsBefore = last?.settings.stack === settings.stack;
     const unstacked = isAsBefore ? stackedCharts(last?.stacks) - stackedCharts(stacks) : 0;
@@ -119,13 +143,20 @@ export async function layOut(
     const { keepingStacks } = await stackParts();
     return keepingStacks(last, last.stacks, { ...known, faceDensities }, unwrap, runs);
   };
-  if (!known.keepsPlaces) return made(await packed(known));
+  const inTiles = async (known: Earlier): Promise<Packed> => {
+    const all = await packed(known);
+    if (!parts) return all;
+    const { inPartTiles } = await loadPart(import('./part-tiles'));
+    const before = last && isSeamEdit(last.settings, settings) ? last.result : null;
+    return inPartTiles(all, parts, { settings, mesh, before }, runs);
+  };
+  if (!known.keepsPlaces) return made(await inTiles(known));
   try {
     const [{ judged }, result] = await Promise.all([stackParts(), unwrap(known)]);
     return made(await judged(result, runs));
   } catch (error) {
     if ((error as AbflatError).code !== 'AtlasTooSmall') throw error;
     // Beside the charts that stay there is no room for the others at the density asked for.
-    return made({ ...(await packed({ ...known, keepsPlaces: false })), isRepacked: true });
+    return made({ ...(await inTiles({ ...known, keepsPlaces: false })), isRepacked: true });
   }
 }

@@ -4,6 +4,7 @@ import { exportFormatOf } from '../base/mesh-files';
 import type { AnyProgress, Helpers, Opened, Packed } from '../model/model';
 import type { PackSettings } from '../model/settings';
 import type { ExportFormat } from '../words/generated-formats';
+import { ownTiles } from './own-tiles';
 
 /** Layouts of UDIM tiles have some, not one far away. */
 const MOST_TILES = 200;
@@ -19,12 +20,17 @@ export async function packUvs(
   { source, input, mesh, gltf }: Pick<Opened, 'source' | 'input' | 'mesh' | 'gltf'>,
   settings: PackSettings,
   watch: Watch,
+  helpers: Pick<Helpers, 'namedParts'>,
   format: ExportFormat = exportFormatOf(source.name),
 ): Promise<Packed> {
-  const { mode, ...options } = settings;
+  const { mode, tiles = 'one', ...options } = settings;
+  const opened = { source, input, mesh, gltf };
+  const own =
+    tiles !== 'one' && (await ownTiles(abflat, opened, settings, tiles, watch.signal, helpers));
   const pack = async (udim: boolean) =>
     abflat.pack(await copied(gltf?.mesh ?? input), {
       ...options,
+      ...own,
       udim,
       ...(format === 'glb' ? {} : { [format]: true }),
       transfer: true,

@@ -14,11 +14,10 @@ import {
   type Packed,
   type Source,
 } from '../model/model';
-import type { Settings } from '../model/settings';
+import type { PackSettings, Settings } from '../model/settings';
 import { READING } from '../words/opening';
 import { layOut } from './lay-out';
 import { currentStep, type Left } from './left-meshes';
-import type { packUvs } from './pack-uvs';
 import { notSupported } from './words';
 
 export interface SessionEvents {
@@ -197,9 +196,11 @@ export class Session {
     }
   }
 
-  private async uvsOfFile(...run: Parameters<typeof packUvs>): Promise<Packed> {
+  private async uvsOfFile(
+    ...run: [Abflat, Opened, PackSettings, { signal: AbortSignal }]
+  ): Promise<Packed> {
     const part = await loadPart(import('./pack-uvs'));
-    return part.tellStacks(await part.packUvs(...run), this.helpers);
+    return part.tellStacks(await part.packUvs(...run, this.helpers), this.helpers);
   }
 
   private begin(): AbortController {

@@ -20,7 +20,7 @@ export interface Runs {
   signal: AbortSignal;
 }
 
-type Judged = Pick<Unwrapped, 'result' | 'stacks'>;
+export type Judged = Pick<Unwrapped, 'result' | 'stacks'>;
 
 /** In place of the density asked for: charts that will lie on others are to take no room beside them. */
 const SMALL = 0.05;
@@ -77,7 +77,7 @@ async function withOverlaps(
 }
 
 /** Checks all charts where they are, in any number of tiles. */
-async function inPlace(
+export async function inPlace(
   result: UnwrapResult,
   { abflat, input, signal }: Runs,
   stack: UnwrapOptions['stack'] = 'none',
@@ -101,7 +101,7 @@ async function inPlace(
 }
 
 /** The report with what was found out about each chart elsewhere. */
-function withVerdict(
+export function withVerdict(
   { report, chartOfTriangle }: UnwrapResult,
   found: UnwrapResult,
   atlas: UnwrapReport['atlas'],

@@ -8,6 +8,7 @@ import { ended, inPageWords } from '../words/format';
 import { READING } from '../words/opening';
 import { ISLANDS } from '../words/result';
 import { LAYING_OUT, LOOKING_AT_UVS, RUN, SETTINGS } from '../words/run';
+import { PACKING } from '../words/selection';
 import { SHOWN } from '../words/view';
 import { inRoomWords } from './no-room';
 import { titleOf } from './titles';
@@ -30,14 +31,15 @@ export function settingsText(settings: Settings): string {
   return [SETTINGS.t(settings.t), ...own, ...lengths, ...delaunay].join(', ');
 }
 
-function packText({ keepPlaces, resolution, ...choices }: PackSettings): string {
-  if (keepPlaces) return SETTINGS.uvsOfFile;
-  const { padding, margin, rotate, islandSizes } = { ...usualPackChoices(), ...choices };
+function packText({ keepPlaces, resolution, uv, ...choices }: PackSettings): string {
+  if (keepPlaces) return uv ? SETTINGS.changedUvs : SETTINGS.uvsOfFile;
+  const { padding, margin, rotate, islandSizes, tiles } = { ...usualPackChoices(), ...choices };
   return [
     SETTINGS.size(resolution, padding),
     SETTINGS.margin(margin),
     SETTINGS.rotation(rotate),
     SETTINGS.sizes(islandSizes),
+    ...(tiles === 'one' ? [] : [SETTINGS.tiles(PACKING.tiles[tiles])]),
   ].join(', ');
 }
 
@@ -103,7 +105,13 @@ function boundInfo(outcome: Flattened): string {
 
 /** Whether charts were moved and nothing was laid out. */
 export const isOnlyPlaced = ({ mode, settings, result }: Outcome): boolean =>
-  mode === 'unwrap' && 'placed' in settings && result.report.charts.every(({ fixed }) => fixed);
+  mode === 'pack'
+    ? settings.keepPlaces && settings.uv !== undefined
+    : mode === 'unwrap' && 'placed' in settings && result.report.charts.every(({ fixed }) => fixed);
+
+/** Whether the charts that were there were packed again. */
+export const isPackedAgain = ({ mode, settings }: Outcome): boolean =>
+  mode === 'unwrap' && settings.placed?.repacks === true;
 
 /**
  * For a disk: the vertices with a bound of their own. For an edited atlas: the charts that the edit leaves as and where they were, those

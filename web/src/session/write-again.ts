@@ -1,6 +1,6 @@
 import type { Abflat, FlattenResult, KnownLayout, MeshInput, UnwrapResult } from 'abflat';
 import { copied } from '../base/buffers';
-import type { Flattened, Outcome, Packed, Unwrapped } from '../model/model';
+import type { Flattened, Helpers, Outcome, Packed, Unwrapped } from '../model/model';
 import { EXPORTED } from '../words/exported';
 import type { ExportFormat } from '../words/generated-formats';
 import { layOut } from './lay-out';
@@ -21,14 +21,14 @@ export async function writeAgain(
   input: MeshInput,
   outcome: Outcome,
   format: ExportFormat,
-  helpers: StackHelpers,
+  helpers: StackHelpers & Pick<Helpers, 'namedParts'>,
   signal: AbortSignal,
 ): Promise<Written> {
-  if (outcome.mode === 'pack') return packAgain(abflat, input, outcome, format, signal);
+  if (outcome.mode === 'pack') return packAgain(abflat, input, outcome, format, helpers, signal);
   const { result } = outcome;
   // A chart that is not valid cannot be kept in its place; the same once more gives the same.
   const written =
-    result.report.valid || staysInPlace(outcome)
+    result.report.valid || staysInPlace(outcome) || hasOwnTiles(outcome)
       ? await keepAll(abflat, input, outcome, format, signal)
       : (
           await layOut(
@@ -53,6 +53,7 @@ async function packAgain(
   input: MeshInput,
   outcome: Packed,
   format: ExportFormat,
+  helpers: Pick<Helpers, 'namedParts'>,
   signal: AbortSignal,
 ): Promise<Written> {
   const { result } = await packUvs(
@@ -60,6 +61,7 @@ async function packAgain(
     { ...outcome, input },
     outcome.settings,
     { signal },
+    helpers,
     format,
   );
   const { uv, indices, obj, ply, report } = result;
@@ -111,8 +113,16 @@ const wanted = (format: ExportFormat) =>
 function atlasOf(outcome: Flattened | Unwrapped) {
   if (outcome.mode === 'flatten') return {};
   const { resolution, padding, udim, texelDensity, stack } = outcome.settings;
-  return { resolution, padding, udim, texelDensity, stack };
+  const size = { resolution, padding, stack };
+  if (!hasOwnTiles(outcome)) return { ...size, udim, texelDensity };
+  return { ...size, udim: true, texelDensity: outcome.result.report.atlas.texelDensity };
 }
+
+/** Whether its charts lie in tiles of objects or materials. */
+const hasOwnTiles = (outcome: Flattened | Unwrapped): boolean =>
+  outcome.mode === 'unwrap' &&
+  outcome.settings.tiles !== undefined &&
+  outcome.result.report.atlas.tiles > 1;
 
 /** A mesh in one piece is an atlas of one chart. */
 function knownOf({ mode, result }: Flattened | Unwrapped): KnownLayout {

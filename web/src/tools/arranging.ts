@@ -1,7 +1,9 @@
 import type { Abflat } from 'abflat';
 import { loadPart } from '../base/load-part';
 import { startOnce } from '../base/start-once';
+import type { Arrangeable } from '../model/arrangeable';
 import type { Unwrapped } from '../model/model';
+import { densitiesOfCharts } from '../model/painted-densities';
 import type { UnwrapSettings } from '../model/settings';
 import type { SeamEditor } from '../seams/seam-editor';
 import { PinTool } from '../selection/pin-tool';
@@ -10,10 +12,15 @@ import type { ChartStates } from '../view/chart-flags';
 import type { Views } from '../view/views';
 import { STACKING } from '../words/selection';
 import type { Arranged, Workshop } from '../workshop/workshop';
+import type { ChartTools } from './chart-tools';
+import type { PackingEvents } from './pack-selected';
 import { type Change, Placement, type PlacementEvents } from './placement';
+
+const NONE: ReadonlySet<number> = new Set();
 
 export interface ArrangingEvents
   extends PlacementEvents,
+    PackingEvents,
     Pick<SelectionEvents, 'staying' | 'keptUvs'> {
   /** Whether a click on the mesh is free to select: no seam tool takes it. */
   isFree(): boolean;
@@ -26,24 +33,31 @@ export interface ArrangingEvents
   /** Other vertices are pinned; `what` was done. */
   pinned(pins: Uint32Array, what: string): void;
   say(text: string): void;
+  /** What takes longer to read. */
+  noted(sentences: string[]): void;
 }
 
 /** All that is done to charts of the layout by hand: they are selected, moved, and bent by their pins. */
 export class Arranging {
   private readonly placement: Placement;
   private readonly pins: PinTool;
+  private asked: { atlas: Unwrapped; ofCharts: Float64Array } | null = null;
   readonly selection: SelectionPanel;
   /** What a first look does not need. */
-  readonly loadRest: () => Promise<unknown>;
+  readonly loadRest: () => Promise<ChartTools>;
 
-  constructor(views: Views, workshop: Workshop, events: ArrangingEvents) {
+  constructor(
+    views: Views,
+    workshop: Workshop,
+    private readonly events: ArrangingEvents,
+  ) {
     const place = (change: Change, what: string) => void this.placement.place(change, what);
     this.placement = new Placement(workshop, views, {
       placing: () => events.placing(),
-      placed: (layout, densities, what) => {
+      placed: (outcome, what) => {
         this.pins.show();
         this.selection.showDensity();
-        events.placed(layout, densities, what);
+        events.placed(outcome, what);
       },
       notPlaced: (error, why) => {
         this.pins.show();
@@ -51,11 +65,11 @@ export class Arranging {
       },
     });
     this.pins = new PinTool(views, {
-      layout: () => this.placement.current,
-      staying: () => events.staying(),
+      layout: () => this.atlas,
+      staying: () => this.staying,
       keptUvs: () => events.keptUvs(),
       hidden: () => this.selection.states.hidden,
-      chart: (outcome, chart) => workshop.chart(outcome, chart),
+      charts: (outcome, charts) => workshop.charts(outcome, charts),
       weights: ({ positions, indices, texcoords }, pins) =>
         events.aside(async (abflat, signal) => {
           const layout = { positions, indices, texcoords };
@@ -81,9 +95,9 @@ export class Arranging {
     this.selection = new SelectionPanel(views, this.pins, {
       isFree: () => events.isFree(),
       changed: (states) => events.selected(states),
-      staying: () => events.staying(),
+      staying: () => this.staying,
       keptUvs: () => events.keptUvs(),
-      densityOf: (face) => this.placement.current?.settings.faceDensities?.[face] ?? 1,
+      densities: () => this.densities,
       arranged: arrange,
       say: (text) => events.say(text),
     });
@@ -94,22 +108,49 @@ export class Arranging {
         layout: () => this.placement.current,
         selection,
         isFree: () => this.selection.isFree,
-        staying: () => events.staying(),
+        staying: () => this.staying,
         arranged: arrange,
         changed: place,
         pins: () => this.pins.all,
-        chart: (outcome, chart) => workshop.chart(outcome, chart),
+        charts: (outcome, charts) => workshop.charts(outcome, charts),
+        onMesh: events.onMesh,
         aside: events.aside,
         seams: events.seams,
         say: (text) => events.say(text),
+        noted: (sentences) => events.noted(sentences),
       });
     });
   }
 
   /** The atlas on screen; null if there is none. `wanted`: what the user asks for now. */
-  show(outcome: Unwrapped | null, wanted: Partial<UnwrapSettings> = {}): void {
+  show(
+    outcome: Arrangeable | null,
+    wanted: Pick<Partial<UnwrapSettings>, 'pins'> & { placed?: object } = {},
+  ): void {
     this.placement.show(outcome, wanted.placed);
     this.selection.open(outcome?.result.report ?? null);
     this.pins.show(wanted.pins ?? new Uint32Array());
+  }
+
+  /** The layout on screen, with charts where they are now; null if there is none. */
+  get current(): Arrangeable | null {
+    return this.placement.current;
+  }
+
+  private get atlas(): Unwrapped | null {
+    return this.current?.mode === 'unwrap' ? this.current : null;
+  }
+
+  /** What each chart of an atlas asks for. */
+  private get densities(): Float64Array | null {
+    const { atlas } = this;
+    if (!atlas) return null;
+    if (this.asked?.atlas !== atlas) this.asked = { atlas, ofCharts: densitiesOfCharts(atlas) };
+    return this.asked.ofCharts;
+  }
+
+  /** Locks are those of atlases. */
+  private get staying(): ReadonlySet<number> {
+    return this.atlas ? this.events.staying() : NONE;
   }
 }

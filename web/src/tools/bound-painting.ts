@@ -10,7 +10,8 @@ import type { Views } from '../view/views';
 import { BOUNDS } from '../words/controls';
 import { ownBoundsText } from '../words/format';
 import type { Workshop } from '../workshop/workshop';
-import type { BoundBrush } from './bound-brush';
+import { boundaryUnder } from './boundary-under';
+import { Brush } from './brush';
 
 export interface PaintingEvents {
   /** What is asked for now. */
@@ -29,7 +30,7 @@ export class BoundPainting {
   private readonly slider = element('bound-t', HTMLInputElement);
   private readonly value = element('bound-t-value', HTMLOutputElement);
   private readonly hint = element('bound-hint', HTMLElement);
-  private brush: BoundBrush | null = null;
+  private brush: Brush | null = null;
   private outcome: Outcome | null = null;
   /** The mesh on screen, once the brush has asked for it. */
   private solid: { mesh: unknown; solid: Solid } | null = null;
@@ -112,20 +113,18 @@ export class BoundPainting {
   private async load(): Promise<void> {
     const mesh = this.outcome?.mesh;
     if (!mesh) return;
-    const [{ BoundBrush }, { Solid }] = await Promise.all([
-      loadPart(import('./bound-brush')),
-      loadPart(import('../surface/solid')),
-    ]);
-    this.brush ??= new BoundBrush(
-      this.views,
-      () => (this.solid?.mesh === this.outcome?.mesh ? (this.solid?.solid ?? null) : null),
-      {
-        isOn: () => this.isOn,
-        erases: (isAlt) => isAlt !== isPressed(this.erase),
-        aimed: (aimed, erases) => this.preview(aimed, erases),
-        painted: (painted, erases) => this.finish(painted, erases),
+    const { Solid } = await loadPart(import('../surface/solid'));
+    this.brush ??= new Brush(this.views, ['mesh', 'layout'], {
+      isOn: () => this.isOn,
+      under: (view, at) => {
+        const { solid, outcome } = this;
+        const own = solid?.mesh === outcome?.mesh ? (solid?.solid ?? null) : null;
+        return boundaryUnder(this.views, own, view, at);
       },
-    );
+      erases: (isAlt) => isAlt !== isPressed(this.erase),
+      aimed: (aimed, erases) => this.preview(aimed, erases),
+      painted: (painted, erases) => this.finish(painted, erases),
+    });
     if (this.solid?.mesh === mesh) return;
     const { solid } = await this.workshop.surface(mesh, true);
     if (mesh === this.outcome?.mesh) this.solid = { mesh, solid: new Solid(solid) };

@@ -4,7 +4,8 @@ import '../css/chart-tools.css';
 import type { Motion } from '../arrange/motion';
 import { element } from '../base/dom';
 import { isTouch } from '../base/touch';
-import type { Unwrapped } from '../model/model';
+import type { Arrangeable } from '../model/arrangeable';
+import type { PackChoices } from '../model/settings';
 import type { SeamEditor } from '../seams/seam-editor';
 import { AreaDrawing, type AreaKind } from '../selection/area-drawing';
 import { addToArrange } from '../selection/arrange-items';
@@ -17,18 +18,20 @@ import { OutlinePicker } from '../selection/outline-picker';
 import { SelectMenu } from '../selection/select-menu';
 import type { Pixel } from '../view/sight';
 import type { Views } from '../view/views';
-import { CHOOSING, LEVELLING, RESHAPING } from '../words/choosing';
+import { CHOOSING, FLIPPING, LEVELLING, RESHAPING } from '../words/choosing';
 import { inTouchWords } from '../words/format';
-import { SELECTION } from '../words/selection';
+import { PACKING, SELECTION } from '../words/selection';
 import type { Arranged, Workshop } from '../workshop/workshop';
+import { flip } from './flip';
 import { LayoutJoin, type Outlines } from './layout-join';
+import { type PackingEvents, packedAround } from './pack-selected';
 import type { Change } from './placement';
 import { type Reshape, type ReshapingEvents, reshapeCharts } from './reshaping';
 import { SymmetricSeams } from './symmetric-seams';
 
-export interface ChartToolsEvents extends ReshapingEvents {
+export interface ChartToolsEvents extends ReshapingEvents, PackingEvents {
   /** The atlas on screen, with charts where they are now; null if there is none. */
-  layout(): Unwrapped | null;
+  layout(): Arrangeable | null;
   selection: ChartSelection;
   /** Whether the layout is free to select charts in. */
   isFree(): boolean;
@@ -43,6 +46,8 @@ export interface ChartToolsEvents extends ReshapingEvents {
   /** What edits seams on the mesh. */
   seams: SeamEditor | null;
   say(text: string): void;
+  /** What takes longer to read. */
+  noted(sentences: string[]): void;
 }
 
 /** Selects charts by an area of the layout, or by what they are, and turns and joins them by their edges. */
@@ -51,11 +56,11 @@ export class ChartTools {
   private readonly choice: ChartChoice;
   private readonly edges: EdgeTool;
   /** Of the atlas they were made for. */
-  private made: { result: Unwrapped['result']; outlines: Outlines } | null = null;
+  private made: { result: Arrangeable['result']; outlines: Outlines } | null = null;
 
   constructor(
     private readonly views: Views,
-    workshop: Workshop,
+    private readonly workshop: Workshop,
     private readonly events: ChartToolsEvents,
   ) {
     const canvas = views.canvasOf('layout');
@@ -91,6 +96,7 @@ export class ChartTools {
       { ...LEVELLING.item, act: () => this.edges.turn(true) },
       { ...RESHAPING.rectify, act: () => this.reshape('rectified') },
       { ...RESHAPING.relax, act: () => this.reshape('relaxed') },
+      { ...FLIPPING.item, act: () => this.flip() },
     ]);
     this.choice = new ChartChoice(events.selection, workshop, {
       layout: () => events.layout(),
@@ -121,6 +127,7 @@ export class ChartTools {
     const actions: Record<string, () => void> = {
       b: () => this.areas.announce(this.areas.announced === 'box' ? 'lasso' : 'box'),
       e: () => this.edges.turn(!this.edges.isOn),
+      ...(this.events.layout()?.mode === 'pack' && { f: () => this.flip() }),
       i: () => this.choice.select('invert'),
     };
     const action = actions[event.key.toLowerCase()];
@@ -158,9 +165,8 @@ export class ChartTools {
     );
   }
 
-  /** Gives the selected charts another shape. */
-  private reshape(how: Reshape): void {
-    const { selected } = this.events.selection;
+  /** Gives charts another shape: those that are selected, or some others. */
+  reshape(how: Reshape, selected: ReadonlySet<number> = this.events.selection.selected): void {
     const staying = this.events.staying();
     const charts = [...selected].filter((chart) => !staying.has(chart));
     if (charts.length === 0) {
@@ -177,10 +183,44 @@ export class ChartTools {
         pins,
         this.events,
       );
-      if (done.length === 0) return RESHAPING.failed(...failed[0]);
+      this.events.noted(reasonsOf(failed));
+      if (done.length === 0) return RESHAPING.none(failed.length);
       return { ...coordinates, what: RESHAPING.of(RESHAPING.done[how], done, failed.length) };
     }, RESHAPING.done[how]);
   }
+
+  /** Mirrors the selected islands of a file. */
+  private flip(): void {
+    const { selection, changed, say } = this.events;
+    const { selected } = selection;
+    if (selected.size === 0) say(SELECTION.none);
+    else changed(flip([...selected], this.workshop, this.events), FLIPPING.done);
+  }
+
+  /** Relaxes the selected islands of a file; without any, all. */
+  relaxIslands(): void {
+    const { selected } = this.events.selection;
+    const count = this.events.layout()?.result.report.charts.length ?? 0;
+    this.reshape('relaxed', selected.size > 0 ? selected : new Set(Array(count).keys()));
+  }
+
+  /** Packs the selected islands of a file around the others. */
+  packIslands(choices: PackChoices): void {
+    const { selected } = this.events.selection;
+    this.events.say(PACKING.doing);
+    this.events.changed(async (outcome) => {
+      if (outcome.mode !== 'pack') return '';
+      const uv = await packedAround(outcome, selected, choices, this.events);
+      return { uv, what: PACKING.done(selected.size, outcome.result.report.charts.length) };
+    }, PACKING.doing);
+  }
+}
+
+/** Why charts stay as they are, one sentence for each reason. */
+function reasonsOf(failed: [number, string][]): string[] {
+  const charts = new Map<string, number[]>();
+  for (const [chart, why] of failed) charts.set(why, [...(charts.get(why) ?? []), chart]);
+  return [...charts].map(([why, some]) => RESHAPING.failed(some, why));
 }
 
 const hasCtrl = ({ ctrlKey, metaKey }: MouseEvent | KeyboardEvent) => ctrlKey || metaKey;

@@ -1,9 +1,8 @@
 import type { UnwrapResult } from 'abflat';
 import { STILL } from '../arrange/motion';
+import { type Arrangeable, cornerUv } from '../model/arrangeable';
 import type { FlatDrawing } from '../model/drawing';
-import type { FaceDensities } from '../model/face-densities';
-import type { Unwrapped } from '../model/model';
-import type { KnownAtlas } from '../model/settings';
+import type { Outcome } from '../model/model';
 import type { Views } from '../view/views';
 import type { Workshop } from '../workshop/workshop';
 
@@ -14,20 +13,28 @@ export interface Changed extends Partial<Pick<UnwrapResult, 'uv' | 'unpacked'>> 
 }
 
 /** Changes an atlas; a text says why nothing is changed. */
-export type Change = (outcome: Unwrapped) => Promise<Changed | string>;
+export type Change = (outcome: Arrangeable) => Promise<Changed | string>;
 
 export interface PlacementEvents {
   /** Charts are about to be in other places. */
   placing(): void;
-  /** Charts are in other places; `what` was done. They keep these densities when they are packed anew. */
-  placed(layout: UnwrapResult, densities: FaceDensities, what: string): void;
+  /** Charts are in other places; `what` was done. */
+  placed(outcome: Arrangeable, what: string): void;
   /** Nothing was moved: it went wrong, another atlas has come in between, or `why`. */
   notPlaced(error: Error | null, why?: string): void;
 }
 
+/** What a layout was asked for with, if it was changed by hand before. */
+const askedOf = (outcome: Arrangeable): object | undefined =>
+  outcome.mode === 'pack' ? outcome.packed.settings.uv : outcome.settings.placed;
+
+/** What the next layout is asked for with. */
+const lastOf = (outcome: Arrangeable): object | undefined =>
+  outcome.mode === 'pack' ? outcome.given : outcome.result;
+
 /** Changes charts of the atlas on screen. They appear in their new places before abflat has checked them. */
 export class Placement {
-  private outcome: Unwrapped | null = null;
+  private outcome: Arrangeable | null = null;
   /** Grows when there is an atlas whose charts are not those of the one before. */
   private generation = 0;
   /** Changes follow one another: each begins with what the one before has made. */
@@ -40,14 +47,14 @@ export class Placement {
   ) {}
 
   /** The atlas on screen with charts where they are now, whether they have been checked there or not. */
-  get current(): Unwrapped | null {
+  get current(): Arrangeable | null {
     return this.outcome;
   }
 
   /** The atlas on screen; null if there is none. `wanted`: the layout that the user has asked for by hand. */
-  show(outcome: Unwrapped | null, wanted?: KnownAtlas): void {
-    const last = this.outcome?.result;
-    const isChecked = outcome !== null && outcome.settings.placed === last;
+  show(outcome: Arrangeable | null, wanted?: object): void {
+    const last = this.outcome ? lastOf(this.outcome) : undefined;
+    const isChecked = outcome !== null && last !== undefined && askedOf(outcome) === last;
     // Charts were moved again during the check, and the next one is still to come.
     if (outcome && !isChecked && wanted !== undefined && wanted === last) return;
     if (!isChecked) this.generation += 1;
@@ -77,21 +84,40 @@ export class Placement {
         return;
       }
       const { what: done = what, ...coordinates } = changed;
-      const result = { ...outcome.result, ...coordinates };
-      const asked = this.workshop.keptDensities(outcome, result.uv);
-      const drawn = this.workshop.outcome({ ...outcome, result });
-      const [faceDensities, drawing] = await Promise.all([asked, drawn]);
-      const settings = { ...outcome.settings, faceDensities };
+      const { made, drawn } = await this.changed(outcome, coordinates);
+      const drawing = await this.workshop.outcome(drawn);
       if (generation !== this.generation) {
         this.giveUp(null);
         return;
       }
-      this.outcome = { ...outcome, settings, result };
+      this.outcome = made;
       this.draw(drawing);
-      this.events.placed(result, faceDensities, done);
+      this.events.placed(made, done);
     } catch (error) {
       this.giveUp(error as Error);
     }
+  }
+
+  /** The layout with these coordinates, and what is drawn of it. */
+  private async changed(
+    outcome: Arrangeable,
+    coordinates: Partial<Pick<UnwrapResult, 'uv' | 'unpacked'>>,
+  ): Promise<{ made: Arrangeable; drawn: Outcome }> {
+    if (outcome.mode === 'pack') {
+      const result = { ...outcome.result, ...coordinates };
+      const { uv, indices, vertexMap, positions } = result;
+      const { packed } = outcome;
+      const settings = { ...packed.settings, keepPlaces: false };
+      const drawn = { ...packed.result, uv, indices, vertexMap, positions };
+      return {
+        made: { ...outcome, result, given: cornerUv(result) },
+        drawn: { ...packed, settings, result: drawn },
+      };
+    }
+    const result = { ...outcome.result, ...coordinates };
+    const faceDensities = await this.workshop.keptDensities(outcome, result.uv);
+    const settings = { ...outcome.settings, faceDensities };
+    return { made: { ...outcome, settings, result }, drawn: { ...outcome, result } };
   }
 
   private giveUp(error: Error | null, why?: string): void {

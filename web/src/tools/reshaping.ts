@@ -1,18 +1,18 @@
 import type { Abflat, FlattenOptions } from 'abflat';
-import { type ChartMesh, type Coordinates, reshaped } from '../arrange/chart-mesh';
-import { filled, isMirrored, type OwnMesh, ownMesh } from '../arrange/own-mesh';
+import { type ChartMesh, type Coordinates, reshape } from '../arrange/chart-mesh';
+import { filled, isMirrored, mirrored, type OwnMesh, ownMesh } from '../arrange/own-mesh';
 import { gridLayout } from '../arrange/quad-grid';
 import { rectangleFor } from '../arrange/rectangle';
 import { refitted } from '../arrange/refit';
-import type { Unwrapped } from '../model/model';
+import type { Arrangeable } from '../model/arrangeable';
 import { pinsInChart } from '../selection/pin-set';
 import { RESHAPING } from '../words/choosing';
 
 export type Reshape = 'rectified' | 'relaxed';
 
 export interface ReshapingEvents {
-  /** A chart as a mesh of its own. */
-  chart(outcome: Unwrapped, chart: number): Promise<ChartMesh>;
+  /** Charts as meshes of their own. */
+  charts(outcome: Arrangeable, charts: Uint32Array): Promise<ChartMesh[]>;
   /** Work of abflat beside its runs. */
   aside<T>(work: (abflat: Abflat, signal: AbortSignal) => Promise<T>): Promise<T>;
 }
@@ -26,41 +26,51 @@ export interface Reshaped {
 
 /** Gives charts another shape in their place, one after the other. `pins`: corners of the atlas. */
 export async function reshapeCharts(
-  outcome: Unwrapped,
-  charts: Iterable<number>,
+  outcome: Arrangeable,
+  charts: number[],
   how: Reshape,
   pins: Uint32Array,
   events: ReshapingEvents,
 ): Promise<Reshaped> {
   const { uv, unpacked } = outcome.result;
-  const out: Reshaped = { coordinates: { uv, unpacked }, done: [], failed: [] };
-  for (const chart of charts) {
-    const mesh = await events.chart(outcome, chart);
+  const coordinates = { uv: uv.slice(), unpacked: unpacked.slice() };
+  const out: Reshaped = { coordinates, done: [], failed: [] };
+  const meshes = await events.charts(outcome, Uint32Array.from(charts));
+  for (const [i, mesh] of meshes.entries()) {
     try {
-      const shape = await shapeOf(
-        outcome,
-        mesh,
-        how,
-        pinsInChart(pins, outcome.result, mesh),
-        events,
-      );
-      out.coordinates = reshaped(out.coordinates, mesh, shape);
-      out.done.push(chart);
+      const own = pinsInChart(pins, outcome.result, mesh);
+      reshape(coordinates, mesh, await shapeAsSeen(outcome, mesh, charts[i], how, own, events));
+      out.done.push(charts[i]);
     } catch (error) {
-      out.failed.push([chart, (error as Error).message]);
+      out.failed.push([charts[i], (error as Error).message]);
     }
   }
   return out;
 }
 
+/** An island of a file may be mirrored, and stays so. */
+async function shapeAsSeen(
+  outcome: Arrangeable,
+  mesh: ChartMesh,
+  chart: number,
+  ...how: [Reshape, number[], ReshapingEvents]
+): Promise<Float64Array> {
+  const isOfFile = outcome.mode === 'pack';
+  if (isOfFile && outcome.result.report.charts[chart].lies === 'stacked')
+    throw new Error(RESHAPING.stacked);
+  if (!isMirrored(mesh)) return shapeOf(outcome, mesh, ...how);
+  if (!isOfFile) throw new Error(RESHAPING.mirrored);
+  const image = { ...mesh, texcoords: mirrored(mesh.texcoords) };
+  return mirrored(await shapeOf(outcome, image, ...how));
+}
+
 async function shapeOf(
-  { mesh: { faces }, result }: Unwrapped,
+  { mesh: { faces }, result }: Arrangeable,
   mesh: ChartMesh,
   how: Reshape,
   pins: number[],
   events: ReshapingEvents,
 ): Promise<Float64Array> {
-  if (isMirrored(mesh)) throw new Error(RESHAPING.mirrored);
   const own = ownMesh(mesh);
   if (!own) throw new Error(RESHAPING.touches);
   if (how === 'relaxed') {

@@ -85,6 +85,10 @@ export class ShadingControl {
     this.showLegend();
   }
 
+  showMeasure(measure: Measure): void {
+    this.use(measure);
+  }
+
   showWorst(measure: Measure): void {
     this.use(measure);
     this.legend.showWorst();

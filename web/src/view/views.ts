@@ -202,6 +202,11 @@ export class Views {
     this.layout.showStates(this.states);
   }
 
+  /** Shows the heat map of a measure. */
+  showMeasure(measure: Measure): void {
+    this.shading.showMeasure(measure);
+  }
+
   /** Shows the heat map of a measure, and lights the worst of the surface. */
   showWorst(measure: Measure): void {
     this.shading.showWorst(measure);

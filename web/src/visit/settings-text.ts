@@ -13,12 +13,14 @@ import { STRETCHES } from '../controls/atlas-control';
 import { BALANCE_STEP } from '../controls/balance-control';
 import { BOUND_RULE } from '../controls/bound-control';
 import { fits, type NumberRule } from '../controls/number-field';
-import { defaultOptions, MORE } from '../model/more-options';
+import { MORE } from '../model/more-names';
+import { defaultOptions, PART_TILES } from '../model/more-options';
 import {
   type Mode,
   packSettings,
   RESOLUTIONS,
   type Settings,
+  TILES,
   usualPackChoices,
 } from '../model/settings';
 import { choiceOf, seamWords } from '../seams/seam-choice';
@@ -30,8 +32,8 @@ interface Rule extends NumberRule {
 
 const RULES: Record<Mode, Readonly<Record<string, Rule>>> = {
   flatten: FLATTEN_OPTIONS,
-  unwrap: UNWRAP_OPTIONS,
-  pack: PACK_OPTIONS,
+  unwrap: { ...UNWRAP_OPTIONS, tiles: { type: 'choice', choices: PART_TILES } },
+  pack: { ...PACK_OPTIONS, tiles: { type: 'choice', choices: TILES } },
 };
 
 const MODES: readonly Mode[] = ['flatten', 'unwrap', 'pack'];
@@ -39,8 +41,8 @@ const MODES: readonly Mode[] = ['flatten', 'unwrap', 'pack'];
 /** The options that the page has of each kind of layout, in the order of the text. */
 const NAMES: Record<Mode, readonly string[]> = {
   flatten: ['t', 'balance', 'delaunay'],
-  unwrap: ['maxStretch', 'balance', 'resolution', 'padding', ...MORE],
-  pack: ['keepPlaces', 'resolution', 'padding', 'margin', 'rotate', 'islandSizes'],
+  unwrap: ['maxStretch', 'balance', 'resolution', 'padding', ...MORE, 'tiles'],
+  pack: ['keepPlaces', 'resolution', 'padding', 'margin', 'rotate', 'islandSizes', 'tiles'],
 };
 
 /** What the controls of the page can show is less than abflat takes. */
@@ -109,7 +111,7 @@ export function settingsOf(text: string): SettingsRead {
 /** Without what does not matter while the UVs of the file stay as they are. */
 function withoutIdle(settings: Settings): Settings {
   if (settings.mode !== 'pack') return settings;
-  const { mode, keepPlaces, resolution, ...choices } = settings;
+  const { mode, keepPlaces, resolution, uv, ...choices } = settings;
   return packSettings(keepPlaces, resolution, { ...usualPackChoices(), ...choices });
 }
 

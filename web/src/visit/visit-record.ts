@@ -25,6 +25,8 @@ export interface Asked {
   densities?: Float32Array;
   /** Pinned corners. */
   pins?: Uint32Array;
+  /** The UVs of a file that were changed by hand. */
+  uv?: Float64Array;
 }
 
 export interface Visit {
@@ -48,7 +50,10 @@ export function askedOf(outcome: Outcome, { kept, pins }: Marks): Asked {
     const { bounds } = outcome.settings;
     return bounds ? { ...asked, bounds } : asked;
   }
-  if (outcome.mode === 'pack') return asked;
+  if (outcome.mode === 'pack') {
+    const { uv } = outcome.settings;
+    return uv ? { ...asked, uv } : asked;
+  }
   const { result, settings } = outcome;
   if (pins) asked.pins = pins;
   if (settings.faceDensities) asked.densities = settings.faceDensities;
@@ -86,10 +91,10 @@ function sourceOf(mesh: KeptMesh): Source {
 }
 
 export function settingsAskedFor(asked: Asked): Settings {
-  const { text, edited, bounds, atlas, locked, pins, densities } = asked;
+  const { text, edited, bounds, atlas, locked, pins, densities, uv } = asked;
   const { settings } = settingsOf(text);
   if (settings.mode === 'flatten') return bounds ? { ...settings, bounds } : settings;
-  if (settings.mode === 'pack') return settings;
+  if (settings.mode === 'pack') return uv ? { ...settings, uv } : settings;
   const kept = atlas && locked && { kept: { layout: atlas, charts: locked } };
   const placed = atlas && { placed: atlas };
   const byHand = { ...(pins && { pins }), ...(densities && { faceDensities: densities }) };

@@ -8,6 +8,16 @@ const MAPS: Record<string, string> = {
   occlusion: 'occlusion',
   normal: 'normals',
   emissive: 'emission',
+  // Of an OBJ.
+  diffuse: 'colour',
+  ambient: 'ambient colour',
+  specular: 'highlights',
+  shininess: 'shininess',
+  opacity: 'opacity',
+  roughness: 'roughness',
+  metallic: 'metal',
+  bump: 'bumps',
+  displacement: 'displacement',
 };
 
 const imageOf = ({ maps, side }: { maps: string[]; side: number }) =>
@@ -15,7 +25,7 @@ const imageOf = ({ maps, side }: { maps: string[]; side: number }) =>
 
 export const BAKE_CHOICE = {
   title: 'Bake textures',
-  what: 'New images for the new UVs: the GLB looks as before',
+  what: 'New images for the new UVs: the mesh looks as before',
   oneTile: 'Not with UDIM: images are for one tile',
   sides: 'Image size',
   side: (side: number | 'auto') => (side === 'auto' ? 'Auto' : `${count(side)}\u202fpx`),

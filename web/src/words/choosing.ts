@@ -80,10 +80,35 @@ export const RESHAPING = {
     const others = left === 1 ? '; 1 stays as it is' : `; ${count(left)} stay as they are`;
     return `${done} ${which}${left > 0 ? others : ''}`;
   },
-  failed: (chart: number, why: string) => `Island ${chart} stays as it is: ${why}`,
+  none: (left: number) =>
+    `${counted(left, 'island stays', 'islands stay')} as ${left === 1 ? 'it is' : 'they are'}`,
+  /** `why` is that of each. */
+  failed: ([chart, ...others]: number[], why: string) =>
+    others.length === 0
+      ? `Island ${chart} stays as it is: ${why}`
+      : `${count(others.length + 1)} islands stay as they are, such as island ${chart}: ${why}`,
   mirrored: 'it is mirrored',
+  stacked: 'it lies on another island or on itself, to share texels',
   noRectangle: 'its outline is not nearly a rectangle',
   touches: 'its outline touches itself',
+};
+
+/** Islands of a file that are mirrored in their places. */
+export const FLIPPING = {
+  item: {
+    text: 'Flip',
+    key: 'F',
+    about: 'Mirror each island in its place, so that a flipped one is no longer flipped',
+    isForFiles: true,
+  } as const,
+  done: 'Flipped',
+  /** They have both kinds of faces, so a flip only changes which. */
+  folded: ([island, ...others]: number[]) => {
+    const still = 'faces that run either way, so some are flipped still. Try Relax';
+    return others.length === 0
+      ? `Island ${island} has ${still}`
+      : `${count(others.length + 1)} islands, such as island ${island}, have ${still}`;
+  },
 };
 
 /** Seams that are edited on both sides of a mesh. */

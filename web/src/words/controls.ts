@@ -43,6 +43,8 @@ export const OPTIONS = {
   aboutKeepUvs:
     'Faces with UVs in the file keep them exactly; all others are unwrapped and packed around them',
   tilesNeedDensity: '. Needs a numeric texel density',
+  tiles: 'Tiles',
+  aboutTiles: 'UDIM tiles: all islands share, or each object or material has one of its own',
 };
 
 /** The slider for the limit of stretch, and the size of an atlas. */

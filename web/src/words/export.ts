@@ -6,6 +6,8 @@ import { ended } from './format';
 export const EXPORT = {
   export: (format: string) => `Export ${format}`,
   baked: (format: string) => `baked ${format}`,
+  /** An archive with an OBJ, its materials and its images. */
+  zip: 'OBJ (zip)',
   exportLast: 'Export last layout',
   previous: (settings: string) => `Exports the layout still on screen: ${settings}`,
   notExported: 'Not exported',

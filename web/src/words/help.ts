@@ -67,6 +67,14 @@ export const HELP = {
     erase: 'Erase bounds',
     middle: 'Paint in the middle of the view',
   },
+  densities: {
+    title: 'Densities',
+    where: 'In both views, with Unwrap pressed.',
+    toggle: 'Turn painting on or off',
+    paint: 'Paint the density set next to the button',
+    erase: 'Erase densities',
+    middle: 'Paint in the middle of the mesh view',
+  },
   charts: {
     title: 'Islands',
     where: 'In the layout view, or in the mesh view with Select pressed.',
@@ -82,6 +90,7 @@ export const HELP = {
     hide: 'Hide them, or show all',
     move: 'Move, rotate or scale them in the layout',
     align: 'Click an edge of an island to make it level or upright',
+    flip: 'Mirror the selected islands of a file in their places',
     none: 'Deselect all',
   },
   pins: {
@@ -133,6 +142,7 @@ export const GESTURES = {
   altClick: 'Alt-click',
   dragBoundary: 'drag along the boundary',
   altDrag: 'Alt-drag',
+  dragMesh: 'drag over the mesh',
   ctrlDrag: 'Ctrl-drag over the mesh',
   dragMoves: 'drag moves',
   dragBeside: 'drag beside islands',

@@ -10,8 +10,10 @@ const NAMES: Record<string, string> = {
 
 export const LIMITS = {
   shapeOnly: 'shape and UVs only',
-  /** One or more, by abflat's names. */
+  notBaked: 'shape and UVs only, no baked textures',
+  /** By abflat's names; '' for none. */
   loses: (lost: string[]) => {
+    if (lost.length === 0) return '';
     const names = lost.map((each) => NAMES[each]);
     const [last, ...others] = names.reverse();
     return `loses ${others.length > 0 ? `${others.reverse().join(', ')} and ${last}` : last}`;

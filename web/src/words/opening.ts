@@ -71,6 +71,10 @@ export const OPENED_NOTICE = {
   aboutTabs: 'Each with a layout of its own',
   oneAtlas: 'One atlas',
   aboutOneGlb: 'All as one GLB, in one layout',
+  shapesOnly: ([name, ...others]: string[]) =>
+    others.length === 0
+      ? `In one atlas, ${name} keeps its shape only.`
+      : `In one atlas, ${counted(others.length + 1, 'file')} that are no glTF keep their shapes only.`,
   aboutOneObj: 'All as one OBJ of shapes, in one layout',
   compressed: (name: string, compressions: string[]) =>
     `${name} was compressed with ${compressions.join(' and ')}. The export is uncompressed.`,

@@ -60,6 +60,22 @@ export const MOVING = {
   nothingMoved: 'Nothing was moved',
 };
 
+/** Islands of a file that are packed around the others. */
+export const PACKING = {
+  doing: 'Repacking…',
+  done: (islands: number, all: number) =>
+    `Repacked ${counted(islands, 'island')}${islands < all ? `; ${count(all - islands)} stay` : ''}`,
+  tiles: {
+    one: 'One',
+    file: 'As they are',
+    object: 'One per object',
+    material: 'One per material',
+  },
+  aboutTiles:
+    'The UDIM tiles that islands are packed in: one, those that they are in, or one for each object or material',
+  scope: (islands: number) => (islands === 0 ? '' : `${count(islands)} selected`),
+};
+
 /** Vertices of the layout that are pinned. */
 export const PINS = {
   invitation: 'Click a vertex to pin it',

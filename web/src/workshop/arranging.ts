@@ -1,8 +1,10 @@
 // What is done to charts of an atlas.
 
-export { chartMesh } from '../arrange/chart-mesh';
+export { chartMeshes } from '../arrange/chart-mesh';
 export { atDensity, evened, keptDensities } from '../arrange/density';
+export { fileIslands } from '../arrange/file-islands';
 export { fileStacks } from '../arrange/file-stacks';
+export { flipped } from '../arrange/flip';
 export { movedUv } from '../arrange/move-charts';
 export { sameShapes } from '../arrange/same-shape';
 export { stacked } from '../arrange/stack';

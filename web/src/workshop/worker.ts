@@ -4,6 +4,8 @@
 import { expose, transfer } from 'comlink';
 import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
+import type { SurfaceArrays as DensityArrays } from '../arrange/density';
+import type { Flipped } from '../arrange/flip';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf } from '../base/buffers';
 import { loadInWorker } from '../base/load-part';
@@ -18,7 +20,6 @@ import {
   flatPicture,
   type MarkedChart,
   meshPicture,
-  positionsOf,
 } from '../drawing/picture';
 import type { LookSource } from '../files/appearance';
 import type { BakedGltf } from '../files/baked-gltf';
@@ -27,6 +28,7 @@ import type { NamedMesh } from '../files/joined-obj';
 import type { LookMesh } from '../files/stored-look';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
+import { type PlacedVertices, positionsOf } from '../mesh/positions-of';
 import type { AppearanceRead } from '../model/appearance';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { FaceDensities } from '../model/face-densities';
@@ -34,7 +36,7 @@ import type { ChosenGltf, GltfFiles, LayoutArrays } from '../model/model';
 import type { NamedParts } from '../model/named-parts';
 import type { Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
-import type { bake } from './baking';
+import type { bake, bakeObj } from './baking';
 
 // All but drawing is not part of the first load. What is loaded keeps the order of requests.
 const gltfFile = startOnce(() => loadInWorker(import('../files/gltf-file')));
@@ -50,8 +52,14 @@ const surfaces = startOnce(() => loadInWorker(import('../surface/make-surface'))
 
 const LATER = [gltfFile, newGlbFile, appearanceFile, arranging, writing, surfaces, objParts];
 
-/** The vertices of a layout: where they are in 3D, or which they are of the input. */
-type Placed = Pick<LayoutArrays, 'positions' | 'vertexMap'>;
+/** The input of an atlas, and what the densities of its charts are compared with. */
+type Compared = Pick<DisplayMesh, 'positions' | 'faces'> & Pick<DensityArrays, 'isByTile'>;
+
+const surfaceOf = (
+  arrays: ChartArrays,
+  layout: PlacedVertices,
+  { faces, isByTile, ...input }: Compared,
+): DensityArrays => ({ ...arrays, positions: positionsOf(layout, input), faces, isByTile });
 
 const tasks = {
   /** Loads what has not been needed yet. */
@@ -72,14 +80,19 @@ const tasks = {
     return handedOver(movedUv(arrays, motions));
   },
 
-  chart: async (
+  flipped: async (arrays: ChartArrays, charts: Uint32Array): Promise<Flipped> => {
+    const { flipped } = await arranging();
+    return handedOver(flipped(arrays, charts));
+  },
+
+  charts: async (
     arrays: ChartArrays,
-    layout: Placed,
+    layout: PlacedVertices,
     input: Pick<DisplayMesh, 'positions'>,
-    chart: number,
-  ): Promise<ChartMesh> => {
-    const { chartMesh } = await arranging();
-    return handedOver(chartMesh(arrays, positionsOf(layout, input), chart));
+    charts: Uint32Array,
+  ): Promise<ChartMesh[]> => {
+    const { chartMeshes } = await arranging();
+    return handedOver(chartMeshes(arrays, positionsOf(layout, input), charts));
   },
 
   straightened: async (arrays: ChartArrays, charts: Uint32Array): Promise<Motions> =>
@@ -99,6 +112,19 @@ const tasks = {
   fileStacks: async (arrays: ChartArrays, faults: Uint8Array, faces?: Uint32Array) =>
     handedOver((await arranging()).fileStacks(arrays, faults, faces)),
 
+  fileIslands: async (
+    arrays: ChartArrays,
+    layout: PlacedVertices,
+    input: Pick<DisplayMesh, 'positions' | 'faces'>,
+    { faults }: { faults: Uint8Array },
+    count: number,
+  ) => {
+    const { fileIslands } = await arranging();
+    const { vertexMap } = layout;
+    const shared = { ...arrays, vertexMap, faults, positions: positionsOf(layout, input) };
+    return handedOver(fileIslands(shared, count, input.faces));
+  },
+
   apart: async (arrays: ChartArrays, stacks: Stack[], rows: number) =>
     (await arranging()).apart(arrays, stacks, rows),
 
@@ -107,36 +133,36 @@ const tasks = {
 
   evened: async (
     arrays: ChartArrays,
-    layout: Placed,
-    input: Pick<DisplayMesh, 'positions'>,
+    layout: PlacedVertices,
+    input: Compared,
     charts: Uint32Array,
   ): Promise<Motions> => {
     const { evened } = await arranging();
-    return evened({ ...arrays, positions: positionsOf(layout, input) }, charts);
+    return evened(surfaceOf(arrays, layout, input), charts);
   },
 
   atDensity: async (
     arrays: ChartArrays,
-    layout: Placed,
-    input: Pick<DisplayMesh, 'positions' | 'faces'>,
+    layout: PlacedVertices,
+    input: Compared,
     charts: Uint32Array,
     density: number,
     asked: FaceDensities,
   ): Promise<Motions> => {
     const { atDensity } = await arranging();
-    const surface = { ...arrays, positions: positionsOf(layout, input), faces: input.faces };
+    const surface = surfaceOf(arrays, layout, input);
     return atDensity(surface, charts, density, asked);
   },
 
   keptDensities: async (
     arrays: ChartArrays,
-    layout: Placed,
-    input: Pick<DisplayMesh, 'positions' | 'faces'>,
+    layout: PlacedVertices,
+    input: Compared,
     { uv }: Pick<ChartArrays, 'uv'>,
     asked: FaceDensities,
   ): Promise<FaceDensities> => {
     const { keptDensities } = await arranging();
-    const before = { ...arrays, positions: positionsOf(layout, input), faces: input.faces };
+    const before = surfaceOf(arrays, layout, input);
     return keptDensities(before, uv, asked);
   },
 
@@ -149,7 +175,7 @@ const tasks = {
 
   heatMap: async (
     drawing: AtlasDrawing,
-    layout: Placed,
+    layout: PlacedVertices,
     input: Pick<DisplayMesh, 'positions'>,
   ): Promise<Blob> => {
     const { heatMapPng } = await writing();
@@ -172,6 +198,9 @@ const tasks = {
   baked: async (...work: Parameters<typeof bake>): Promise<BakedGltf> =>
     (await baking()).bake(...work),
 
+  bakedObj: async (...work: Parameters<typeof bakeObj>): Promise<BakedGltf> =>
+    (await baking()).bakeObj(...work),
+
   newGlb: async (
     name: string,
     layout: LayoutArrays,
@@ -179,6 +208,11 @@ const tasks = {
   ): Promise<Blob> => {
     const { newGlb } = await newGlbFile();
     return newGlb(name, layout, positionsOf(layout, input));
+  },
+
+  shapeGlb: async (name: string, { positions, indices }: DisplayMesh): Promise<Blob> => {
+    const { newGlb } = await newGlbFile();
+    return newGlb(name, { indices }, positions);
   },
 
   appearance: async (source: LookSource, mesh: LookMesh): Promise<AppearanceRead> => {

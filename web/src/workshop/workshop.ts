@@ -1,6 +1,7 @@
 import { type Remote, transfer } from 'comlink';
 import type { ChartMesh } from '../arrange/chart-mesh';
 import type { ChartArrays } from '../arrange/charts';
+import type { Flipped } from '../arrange/flip';
 import type { Motions } from '../arrange/move-charts';
 import { buffersOf, copied } from '../base/buffers';
 import { meshFileOf } from '../base/mesh-files';
@@ -9,6 +10,7 @@ import type { NamedMesh } from '../files/joined-obj';
 import type { AtlasDrawing } from '../files/svg-text';
 import type { ArrayMesh, DisplayMesh } from '../mesh/mesh';
 import type { AppearanceRead } from '../model/appearance';
+import type { Arrangeable, FileLayout } from '../model/arrangeable';
 import type { Drawing, FlatDrawing } from '../model/drawing';
 import type { FaceDensities } from '../model/face-densities';
 import type {
@@ -21,7 +23,7 @@ import type {
   Packed,
   Unwrapped,
 } from '../model/model';
-import { NO_PARTS } from '../model/named-parts';
+import { type NamedParts, NO_PARTS } from '../model/named-parts';
 import type { FileStacks, Stack, Stacks } from '../model/stacks';
 import type { SurfaceArrays } from '../surface/make-surface';
 import { KeptColors } from './kept-colors';
@@ -122,15 +124,20 @@ export class Workshop implements Helpers {
     return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.moved(own, motions));
   }
 
+  /** The coordinates of an atlas with charts mirrored in their places. */
+  flipped(atlas: ChartArrays, charts: Uint32Array): Promise<Flipped> {
+    return this.send([chartArraysOf(atlas)], (tasks, own) => tasks.flipped(own, charts));
+  }
+
   /** How to move charts so that they are arranged. */
-  async motions({ result, mesh, settings }: Unwrapped, arranged: Arranged): Promise<Motions> {
+  async motions({ result, mesh, settings }: Arrangeable, arranged: Arranged): Promise<Motions> {
     if ('motions' in arranged) return arranged;
     const { charts } = arranged;
     const { positions, vertexMap } = result;
     const { faces } = mesh;
     const parts = [
       { positions, vertexMap },
-      { positions: mesh.positions, faces },
+      { positions: mesh.positions, faces, isByTile: settings.tiles !== undefined },
     ] as const;
     return this.send([chartArraysOf(result), ...parts], (tasks, own, layout, input) => {
       if ('density' in arranged) {
@@ -184,7 +191,7 @@ export class Workshop implements Helpers {
       [
         chartArraysOf(result),
         { positions, vertexMap },
-        { positions: mesh.positions, faces },
+        { positions: mesh.positions, faces, isByTile: settings.tiles !== undefined },
         { uv },
       ],
       (tasks, own, layout, input, now) =>
@@ -192,13 +199,32 @@ export class Workshop implements Helpers {
     );
   }
 
-  /** A chart as a mesh of its own. */
-  chart({ result, mesh }: Unwrapped, chart: number): Promise<ChartMesh> {
+  /** Charts as meshes of their own. */
+  charts({ result, mesh }: Arrangeable, charts: Uint32Array): Promise<ChartMesh[]> {
     const { positions, vertexMap } = result;
     return this.send(
       [chartArraysOf(result), { positions, vertexMap }, { positions: mesh.positions }],
-      (tasks, own, layout, input) => tasks.chart(own, layout, input, chart),
+      (tasks, own, layout, input) => tasks.charts(own, layout, input, charts),
     );
+  }
+
+  /** The islands of a file as charts. */
+  async fileLayout(packed: Packed): Promise<FileLayout> {
+    const { mode, source, mesh, gltf, result } = packed;
+    const { uv, indices, islandOfTriangle: chartOfTriangle, positions, vertexMap, faults } = result;
+    const { positions: places, faces } = mesh;
+    const { islands, resolution } = result.report;
+    const { arrays, facts } = await this.send(
+      [
+        { uv, indices, chartOfTriangle },
+        { positions, vertexMap },
+        { positions: places, faces },
+        { faults },
+      ],
+      (tasks, own, layout, input, marks) => tasks.fileIslands(own, layout, input, marks, islands),
+    );
+    const report = { charts: facts, atlas: { resolution } };
+    return { mode, source, mesh, gltf, packed, settings: {}, result: { ...arrays, report } };
   }
 
   /** What is needed to edit seams. */
@@ -241,6 +267,11 @@ export class Workshop implements Helpers {
     );
   }
 
+  /** A mesh without a layout as a document of its own. */
+  shapeGlb(name: string, { positions, indices }: DisplayMesh): Promise<Blob> {
+    return this.send([{ positions, indices }], (tasks, own) => tasks.shapeGlb(name, own));
+  }
+
   /** How a file looks, besides its shape; images take up to `memory` bytes. */
   async appearance(
     { file, others }: FileSource,
@@ -256,7 +287,11 @@ export class Workshop implements Helpers {
   }
 
   /** Objects and materials of a glTF or an OBJ; other meshes have none. */
-  async namedParts({ source, gltf, mesh }: Pick<Opened, 'source' | 'gltf' | 'mesh'>) {
+  async namedParts({
+    source,
+    gltf,
+    mesh,
+  }: Pick<Opened, 'source' | 'gltf' | 'mesh'>): Promise<NamedParts> {
     if (gltf) return gltf.parts;
     if (source.kind !== 'file' || meshFileOf(source.name)?.format !== 'obj') return NO_PARTS;
     const { file } = source;

@@ -13,7 +13,7 @@ namespace abflat {
 /// An image that was baked.
 struct BakedMap {
   /// What it holds: baseColor, metallicRoughness with occlusion in red, occlusion, normal or
-  /// emissive.
+  /// emissive; of an OBJ: diffuse, opacity, roughness and so on.
   std::string map;
   /// Texels along a side.
   int resolution = 0;

@@ -58,7 +58,7 @@ struct PackReport {
   std::size_t stackedStacks = 0;
   /// Islands most of whose area runs clockwise; they stay mirrored.
   std::size_t mirrored = 0;
-  /// Islands that overlapped others by less, and no longer do.
+  /// Islands that overlapped others by less, or ones of other materials, and no longer do.
   std::size_t separated = 0;
   /// Faces without texcoords at every corner, which stay as they are.
   std::size_t unmapped = 0;

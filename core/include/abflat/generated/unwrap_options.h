@@ -174,8 +174,8 @@ struct UnwrapOptionValues {
   double maxStretch = 1.02;
   /// largest share of a chart's surface that may be sheared, that is, have a quasi-conformal distortion above 1.25, as if a square became a rectangle of 5 by 4; charts with more are cut further (1 = no limit; auto = 0.1, or 5 times what maxStretch is above 1, if that is more)
   double maxSheared = -1;
-  /// how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared (1 = no more than elsewhere)
-  double frontLeeway = 8;
+  /// how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared; half as much again on a mask that then needs no seam at all (1 = no more than elsewhere)
+  double frontLeeway = 14;
   /// trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)
   double balance = 0.2;
   /// turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are
@@ -222,7 +222,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
     {"maxStretch", "--max-stretch", "1.02", "above 1", "largest stretch of a chart: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths; smaller values give more seams and charts", false, false},
     {"maxSheared", "--max-sheared", "auto", "above 0 and at most 1, or auto", "largest share of a chart's surface that may be sheared, that is, have a quasi-conformal distortion above 1.25, as if a square became a rectangle of 5 by 4; charts with more are cut further (1 = no limit; auto = 0.1, or 5 times what maxStretch is above 1, if that is more)", false, false},
-    {"frontLeeway", "--front-leeway", "8", "at least 1 and at most 100", "how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared (1 = no more than elsewhere)", false, false},
+    {"frontLeeway", "--front-leeway", "14", "at least 1 and at most 100", "how much more the front of a figure, such as a face, may be stretched so that no seam crosses it: so many times maxStretch - 1, and as many times maxSheared; half as much again on a mask that then needs no seam at all (1 = no more than elsewhere)", false, false},
     {"balance", "--balance", "0.2", "at least 0 and at most 1", "trade-off between angles and lengths: 0 keeps the angles as flattening found them, 1 keeps areas and lengths as well as possible (least symmetric Dirichlet energy)", false, false},
     {"orient", "--orient", "false", "", "turn faces so that neighbours run alike, in the layout and in the output, before seams are placed; normals stay as they are", true, false},
     {"fillHoles", "--fill-holes", "auto", "auto, never, always", "whether holes in charts, such as eye sockets and windows, are treated as filled and need no seams: auto = fill small or flat holes, unless a seam reaches them or the chart would be stretched too much; never = connect every hole to the outer boundary by a seam; always = fill them, however much that stretches", false, true},

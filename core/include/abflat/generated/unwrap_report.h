@@ -119,7 +119,7 @@ struct UnwrapChart {
   /// Mean by 3D area of (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²)/4 (1 = isometric).
   double symmetricDirichlet = 0;
   /// How many times as far above 1 as maxStretch its stretch may be: frontLeeway in the front of a
-  /// figure, less where only a part is.
+  /// figure, less where only a part is, more on a mask without a seam.
   double leeway = 1;
   /// The outcome of refining for lengths; of the whole chart if packing has cut it.
   std::optional<RefineReport> refined;

@@ -2,7 +2,7 @@
 
 import type { Material } from '@gltf-transform/core';
 import { AbflatError, messageOf } from '../../base/errors.js';
-import type { Abflat, BakedImage, BakeOptions, BakeSource } from '../../types/index.js';
+import type { AnyAbflat, BakedImage, BakeOptions, BakeSource } from '../../types/index.js';
 import type { EncodeImage } from './codecs.js';
 import { type AtlasCorners, meshFor } from './corners.js';
 import type { ImageFile } from './image-file.js';
@@ -35,7 +35,7 @@ export interface NewLook {
 }
 
 export async function bakeAtlas(
-  abflat: Pick<Abflat, 'bake'>,
+  abflat: AnyAbflat<'bake'>,
   corners: AtlasCorners,
   settings: AtlasSettings,
 ): Promise<NewLook> {

@@ -2,8 +2,9 @@
 
 import type { Document } from '@gltf-transform/core';
 import { AbflatError } from '../../base/errors.js';
-import type { Abflat, BakeOptions, Layout } from '../../types/index.js';
+import type { AnyAbflat, BakeOptions, Layout } from '../../types/index.js';
 import type { DocumentPart } from '../document-mesh.js';
+import { keptTexcoords } from '../texture-sets.js';
 import { bakeAtlas, type NewLook } from './bake-atlas.js';
 import { type DecodeImage, type EncodeImage, usualDecode, usualEncode } from './codecs.js';
 import { atlasCorners } from './corners.js';
@@ -15,9 +16,9 @@ export interface LaidAtlas {
   parts: DocumentPart[];
   result: Pick<Layout<{ notes: string[] }>, 'uv' | 'indices' | 'report'>;
   turnedFaces?: readonly number[];
-  /** In texels, and the side of the image that they are of. */
+  /** In texels, and the side of the image that they are of; undefined: of the new ones. */
   padding: number;
-  resolution: number;
+  resolution: number | undefined;
 }
 
 export interface BakeDocumentOptions {
@@ -44,7 +45,7 @@ interface Settings extends BakeDocumentOptions, Pick<BakeOptions, 'signal'> {
 
 /** Returns what puts the looks into the document, one for each atlas. */
 export async function bakeDocument(
-  abflat: Pick<Abflat, 'bake'>,
+  abflat: AnyAbflat<'bake'>,
   document: Document,
   atlases: readonly LaidAtlas[],
   settings: Settings,
@@ -60,15 +61,17 @@ export async function bakeDocument(
       encode,
       bakeResolution,
       padding,
-      layoutResolution: resolution,
+      layoutResolution: resolution ?? 'none',
       signal,
       onProgress: onProgress && ((fraction: number) => onProgress((i + fraction) / atlases.length)),
     });
     onProgress?.((i + 1) / atlases.length);
     checkWebp(document, look);
     looks.push((texcoord) => {
-      result.report.notes.push(...notesOf(parts, look, texcoord));
       const primitives = parts.map(({ primitive }) => primitive);
+      const isMoved = texcoord > 0 && keptTexcoords(primitives).includes(0);
+      result.report.notes.push(...notesOf(parts, look, isMoved ? texcoord : 0));
+      result.report.notes.push(...depthNotes(oldImages.deepCount));
       return putLook(document, primitives, look, texcoord);
     });
   }
@@ -86,6 +89,12 @@ function checkWebp(document: Document, { images }: NewLook): void {
     'InvalidOption',
     `bake.encode returned a WebP, which needs document.createExtension(EXTTextureWebP).setRequired(true).`,
   );
+}
+
+function depthNotes(count: number): string[] {
+  if (count === 0) return [];
+  const images = count === 1 ? '1 image has' : `${count} images have`;
+  return [`${images} 16 bits per channel, of which the new ones have 8`];
 }
 
 /** What to know about the new look, one sentence each. */

@@ -3,15 +3,21 @@
 import type { Texture } from '@gltf-transform/core';
 import { AbflatError, messageOf } from '../../base/errors.js';
 import type { BakeImage } from '../../types/index.js';
-import type { DecodeImage } from './codecs.js';
+import { type DecodeImage, usualDecode } from './codecs.js';
 
 export class OldImages {
   readonly #decode: DecodeImage;
   readonly #whole = new Map<Texture, Promise<BakeImage>>();
   readonly #faded = new Map<Texture, Map<number, BakeImage>>();
+  readonly #deep = new Set<Texture>();
 
   constructor(decode: DecodeImage) {
     this.#decode = decode;
+  }
+
+  /** How many have 16 bits per channel. */
+  get deepCount(): number {
+    return this.#deep.size;
   }
 
   /** How many images were used. */
@@ -39,6 +45,12 @@ export class OldImages {
     const name = label ? `The image ${JSON.stringify(label)}` : 'An image of the document';
     const bytes = texture.getImage();
     if (!bytes) throw new AbflatError('UnreadableFile', `${name} has no data.`);
+    if (isKtx2(bytes) && this.#decode === usualDecode)
+      throw new AbflatError(
+        'UnreadableFile',
+        `${name} is a KTX2 texture. Convert it to PNG, such as with 'ktx extract', or pass bake: { decode }.`,
+      );
+    if (isDeepPng(bytes)) this.#deep.add(texture);
     try {
       return await this.#decode({ bytes, mimeType: texture.getMimeType() });
     } catch (error) {
@@ -48,6 +60,13 @@ export class OldImages {
     }
   }
 }
+
+const isKtx2 = (bytes: Uint8Array) =>
+  [0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30].every((byte, i) => bytes[i] === byte);
+
+/** The header of a PNG comes first, and has the bits of a channel behind its size. */
+const isDeepPng = (bytes: Uint8Array) =>
+  [0x89, 0x50, 0x4e, 0x47].every((byte, i) => bytes[i] === byte) && bytes[24] === 16;
 
 function fade({ data, width, height }: BakeImage, strength: number): BakeImage {
   const out = new Uint8Array(data.length);

@@ -1,0 +1,1 @@
+export const terminated = () => new DOMException('terminate() was called.', 'AbortError');
