@@ -4,7 +4,15 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { assertSameCubes, CUBE_NAMES, cubeAt, threeCubes } from '../support/baked-cubes.mjs';
-import { atRandomPoints, COLOUR, oneMaterial, turnedPlane, waves } from '../support/baking.mjs';
+import {
+  atRandomPoints,
+  COLOUR,
+  NEAR,
+  oneMaterial,
+  SIDE,
+  turnedPlane,
+  waves,
+} from '../support/baking.mjs';
 import { parseGltf } from '../support/glb.mjs';
 import { madePng } from '../support/made-png.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
@@ -26,7 +34,7 @@ async function bakedObj(t, bytes, command, ...options) {
 test('each map of a glTF is an image of the OBJ, and materials keep their names', async (t) => {
   const before = threeCubes();
   for (const command of ['unwrap', 'pack']) {
-    const options = ['--bake', '--bake-resolution', '1024'];
+    const options = ['--bake', '--bake-resolution', `${SIDE}`];
     const { at, report, mtl } = await bakedObj(t, before, command, ...options);
     assertSameCubes(before, at('out.obj'));
     assert.deepEqual(
@@ -88,7 +96,7 @@ test('only what is transparent takes the alpha of the image', async (t) => {
     materials: [wood, { ...wood, name: 'leaf', alphaMode: 'BLEND' }],
   });
   assert.equal(images.length, 1);
-  const { at, mtl } = await bakedObj(t, before, 'unwrap', '--bake', '--bake-resolution', '1024');
+  const { at, mtl } = await bakedObj(t, before, 'unwrap', '--bake', '--bake-resolution', `${SIDE}`);
   const [, opaque, leaf] = mtl.split('newmtl');
   assert.doesNotMatch(opaque, /map_d/);
   assert.match(leaf, /^map_d out-diffuse\.png$/m);
@@ -96,7 +104,7 @@ test('only what is transparent takes the alpha of the image', async (t) => {
   atRandomPoints(was.count, (t, weights) => {
     const [, , , alpha] = is.sample('map_Kd', t, weights);
     const expected = t < 12 ? 1 : was.sample(COLOUR, t, weights)[3];
-    assert.ok(Math.abs(alpha - expected) < 0.02, `${alpha} is not ${expected}`);
+    assert.ok(Math.abs(alpha - expected) < NEAR, `${alpha} is not ${expected}`);
   });
 });
 

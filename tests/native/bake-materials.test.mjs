@@ -7,9 +7,11 @@ import {
   atRandomPoints,
   COLOUR,
   difference,
+  NEAR,
   oneMaterial,
   ROUGH,
   run,
+  SIDE,
   unwrapped,
   waves,
 } from '../support/baking.mjs';
@@ -41,13 +43,13 @@ test('materials with textures and factors of their own share an atlas', async (t
     textures: [{ source: 0 }, { source: 1 }],
     images: [waves(384, 256), waves(192, 128, 1)],
   });
-  const { bytes, report } = await unwrapped(t, before, '--bake-resolution', '1024');
+  const { bytes, report } = await unwrapped(t, before, '--bake-resolution', `${SIDE}`);
   const first = (t) => t < 12;
   assert.ok(
     difference(before, bytes, COLOUR, {
       isColour: true,
       factor: (t) => (first(t) ? [0.5, 1, 0.25] : [0.2, 0.4, 0.8]),
-    }) < 0.02,
+    }) < NEAR,
   );
   const [was, is] = [samplerOf(before), samplerOf(bytes)];
   atRandomPoints(was.count, (t, weights) => {
@@ -55,7 +57,7 @@ test('materials with textures and factors of their own share an atlas', async (t
     const old = first(t) ? was.sample(ROUGH, t, weights) : [1, 1, 1];
     const expected = first(t) ? [0.5 + 0.5 * old[0], 0.25 * old[1], 0.8 * old[2]] : [1, 1, 1];
     [occlusion, rough, metal].forEach((x, d) => {
-      assert.ok(Math.abs(x - expected[d]) < 0.02, `${[x, d]} is not ${expected}`);
+      assert.ok(Math.abs(x - expected[d]) < NEAR, `${[x, d]} is not ${expected}`);
     });
     const glow = is.sample('emissiveTexture', t, weights, true);
     assert.ok(Math.abs(glow[1] - (first(t) ? 0.5 : 0)) < 0.01);
@@ -89,9 +91,9 @@ test('materials with images of their own, all in one square, are packed apart', 
     textures: [{ source: 0 }, { source: 1 }],
     images: [waves(384, 256), waves(384, 256, 1)],
   });
-  const { bytes, report } = await run(t, before, 'pack', '--bake', '--bake-resolution', '1024');
+  const { bytes, report } = await run(t, before, 'pack', '--bake', '--bake-resolution', `${SIDE}`);
   assert.equal(report.stacked.islands, 0);
-  assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < 0.02);
+  assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < NEAR);
 });
 
 test('light above 1 and occlusion alone are kept', async (t) => {
@@ -121,7 +123,7 @@ test('light above 1 and occlusion alone are kept', async (t) => {
     const old = was.sample(t < 12 ? 'emissiveTexture' : 'occlusionTexture', t, weights, t < 12);
     const expected = t < 12 ? [old[0], 0.5 * old[1], old[2]] : [0, 0, 0];
     glow.forEach((x, d) => {
-      assert.ok(Math.abs(x - expected[d]) < 0.03, `${glow} is not ${expected}`);
+      assert.ok(Math.abs(x - expected[d]) < NEAR, `${glow} is not ${expected}`);
     });
     assert.ok(Math.abs(shade[0] - (t < 12 ? 1 : 0.75 + 0.25 * old[0])) < 0.02);
   });

@@ -7,8 +7,10 @@ import {
   atRandomPoints,
   COLOUR,
   difference,
+  NEAR,
   oneMaterial,
   ROUGH,
+  SIDE,
   tiling,
   turnedPlane,
   waves,
@@ -83,13 +85,13 @@ test('an OBJ has the same colours everywhere, with its materials beside it', asy
     'other.png': waves(384, 256, 2),
   };
   for (const command of ['unwrap', 'pack']) {
-    const args = [command, 'in.obj', '-o', 'out.obj', '--bake', '--bake-resolution', '1024'];
+    const args = [command, 'in.obj', '-o', 'out.obj', '--bake', '--bake-resolution', `${SIDE}`];
     const { at, code, stderr, report } = await objRun(t, files, ...args);
     assert.deepEqual([code, stderr], [0, '']);
     const [was, is] = [objSampler(at('in.obj')), objSampler(at('out.obj'))];
     for (const keyword of ['map_Kd', 'map_Ks'])
-      assert.ok(objDifference(was, is, keyword, { isColour: true }) < 0.03);
-    assert.ok(objDifference(was, is, 'map_Pr') < 0.03);
+      assert.ok(objDifference(was, is, keyword, { isColour: true }) < NEAR);
+    assert.ok(objDifference(was, is, 'map_Pr') < NEAR);
     // All else is as it was, and what the mesh does not use is gone.
     assert.equal(
       readFileSync(at('out.mtl'), 'utf8'),
@@ -125,7 +127,7 @@ test('an opacity is the alpha of its image, as before', async (t) => {
       'leaf.png': leaf,
       'wood.png': waves(96, 64),
     },
-    ...['unwrap', 'in.obj', '-o', 'out.obj', '--bake', '--bake-resolution', '1024'],
+    ...['unwrap', 'in.obj', '-o', 'out.obj', '--bake', '--bake-resolution', `${SIDE}`],
   );
   assert.equal(code, 0);
   const [was, is] = [objSampler(at('in.obj')), objSampler(at('out.obj'))];
@@ -133,7 +135,7 @@ test('an opacity is the alpha of its image, as before', async (t) => {
   assert.equal(is.words('map_d', 12), undefined);
   atRandomPoints(24, (triangle, weights) => {
     const [before, now] = [was, is].map((each) => each.sample('map_Kd', triangle, weights));
-    assert.ok(Math.abs(before[3] - now[3]) < 0.03, `${before} is not ${now}`);
+    assert.ok(Math.abs(before[3] - now[3]) < NEAR, `${before} is not ${now}`);
   });
 });
 
@@ -227,12 +229,12 @@ test('an OBJ with a picture is baked in two steps', async (t) => {
   );
   for (const args of [
     ['unwrap', 'in.obj', '-o', 'two.glb', '--texcoord', '1'],
-    ['bake', 'two.glb', '-o', 'out.glb', '--bake-resolution', '1024'],
+    ['bake', 'two.glb', '-o', 'out.glb', '--bake-resolution', `${SIDE}`],
   ])
     assert.equal((await runAbflat(args, { cwd: at() })).code, 0);
   const before = texturedGlb([cube], oneMaterial());
   const bytes = readFileSync(at('out.glb'));
-  assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < 0.02);
+  assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < NEAR);
 });
 
 test('a glTF made from an OBJ has its images for the new layout', async (t) => {
@@ -254,7 +256,7 @@ map_Ks leaf.png
     'metal.png': waves(192, 128, 1),
     'tilted.png': madePng(64, 64, () => [178, 128, 245]),
   };
-  const args = ['unwrap', 'in.obj', '-o', 'out.glb', '--bake', '--bake-resolution', '1024'];
+  const args = ['unwrap', 'in.obj', '-o', 'out.glb', '--bake', '--bake-resolution', `${SIDE}`];
   const { at, code, stderr, report } = await objRun(t, files, ...args);
   assert.deepEqual([code, stderr], [0, '']);
   assert.deepEqual(await errorsIn(at('out.glb'), at), []);
@@ -280,7 +282,7 @@ map_Ks leaf.png
   atRandomPoints(count, (triangle, weights) => {
     const near = (is, expected, map) =>
       is.forEach((x, d) => {
-        assert.ok(Math.abs(x - expected[d]) < 0.03, `${map} ${is} is not ${expected}`);
+        assert.ok(Math.abs(x - expected[d]) < NEAR, `${map} ${is} is not ${expected}`);
       });
     if (triangle < 12) {
       near(sample(COLOUR, triangle, weights), was.sample('map_Kd', triangle, weights), COLOUR);

@@ -6,8 +6,10 @@ import {
   atRandomPoints,
   COLOUR,
   difference,
+  NEAR,
   oneMaterial,
   run,
+  SIDE,
   tiling,
   unwrapped,
   waves,
@@ -16,11 +18,11 @@ import { samplerOf, texturedCube, texturedGlb } from '../support/textured.mjs';
 
 test('a cube has the same colours everywhere when it is unwrapped anew', async (t) => {
   const before = texturedGlb([texturedCube()], oneMaterial());
-  const { bytes, report } = await unwrapped(t, before, '--bake-resolution', '1024');
-  assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < 0.02);
+  const { bytes, report } = await unwrapped(t, before, '--bake-resolution', `${SIDE}`);
+  assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < NEAR);
   assert.deepEqual(
     report.baking.maps.map(({ map, resolution, format }) => [map, resolution, format]),
-    [['baseColor', 1024, 'png']],
+    [['baseColor', SIDE, 'png']],
   );
   const { json } = samplerOf(bytes);
   assert.deepEqual([json.images.length, json.textures.length, json.materials.length], [1, 1, 1]);
@@ -30,9 +32,9 @@ test('a cube has the same colours everywhere when it is unwrapped anew', async (
 
 test('a layout that is packed again has the colours it had', async (t) => {
   const before = texturedGlb([texturedCube()], oneMaterial());
-  const { bytes, report } = await run(t, before, 'pack', '--bake', '--bake-resolution', '1024');
-  assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < 0.02);
-  assert.equal(report.baking.maps[0].resolution, 1024);
+  const { bytes, report } = await run(t, before, 'pack', '--bake', '--bake-resolution', `${SIDE}`);
+  assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < NEAR);
+  assert.equal(report.baking.maps[0].resolution, SIDE);
 });
 
 test('a layout that stays has the pixels it had', async (t) => {
@@ -73,8 +75,8 @@ test('transforms and wrap modes are part of the old layout', async (t) => {
       // Alike at opposite edges, so that a small error is no large one.
       images: [tiling(64)],
     });
-    const { bytes } = await unwrapped(t, before, '--bake-resolution', '1024');
-    assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < 0.03);
+    const { bytes } = await unwrapped(t, before, '--bake-resolution', `${SIDE}`);
+    assert.ok(difference(before, bytes, COLOUR, { isColour: true }) < NEAR);
     const { json } = samplerOf(bytes);
     assert.deepEqual([json.extensionsUsed, json.samplers], [undefined, undefined]);
   }

@@ -5,12 +5,16 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { randomNumbers } from './disks.mjs';
 import { errorsIn } from './gltf-errors.mjs';
 import { madePng } from './made-png.mjs';
-import { runAbflat } from './run-abflat.mjs';
+import { isInstrumented, runAbflat } from './run-abflat.mjs';
 import { tempFolder } from './temp-folder.mjs';
 import { oneTexture, samplerOf } from './textured.mjs';
 
 export const COLOUR = 'pbrMetallicRoughness.baseColorTexture';
 export const ROUGH = 'pbrMetallicRoughness.metallicRoughnessTexture';
+
+/** Side of new images that are compared with old ones, and how near they come there. */
+export const SIDE = isInstrumented ? 512 : 1024;
+export const NEAR = isInstrumented ? 0.05 : 0.02;
 
 /** A smooth picture. */
 export const waves = (width, height = width, phase = 0) =>
