@@ -222,7 +222,7 @@ test('wireframe and distortion change the pictures', async (t) => {
 });
 
 test('the layout is panned, zoomed and fitted again', async (t) => {
-  const page = await openPage(t, { mode: 'flatten' });
+  const page = await openPage(t, { mode: 'flatten', deviceScaleFactor: 1 });
   const fitted = await picture(page, '#layout-canvas');
   const box = await page.locator('#layout-canvas').boundingBox();
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

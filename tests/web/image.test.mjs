@@ -135,7 +135,7 @@ async function assertUpright(page, tint = 40) {
 }
 
 test('an image that is dropped is on the mesh and under the layout, v upwards', async (t) => {
-  const page = await openPage(t, { open: BALL });
+  const page = await openPage(t, { open: BALL, deviceScaleFactor: 1 });
   const before = await metrics(page);
   assert.equal((await options(page)).at(-1), 'Image…');
   await dropImage(page, 'four.png', fourColors());

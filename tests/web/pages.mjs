@@ -19,9 +19,12 @@ const USUAL = {
   reducedMotion: 'reduce',
 };
 
+/** Drawing, in software here, is most of the work. Tests of single pixels ask for 1. */
+const SCALE = 0.5;
+
 /** Browsers that the tests of a file share, one with WebGL and one without. */
 const browsers = new Map();
-/** Shared pages that no test is using, by whether they have touch input. */
+/** Shared pages that no test is using, by what cannot be changed later. */
 const shared = new Map();
 /** All open servers, whatever happened to their pages. */
 const servers = new Set();
@@ -70,11 +73,11 @@ async function leave({ page, url }) {
 }
 
 /** Takes the shared page out of the map; it is put back when it can be used again. */
-async function takeShared(browser, hasTouch) {
-  const last = shared.get(hasTouch);
-  shared.delete(hasTouch);
+async function takeShared(browser, kind, options) {
+  const last = shared.get(kind);
+  shared.delete(kind);
   if (last && last.page.context().browser() === browser) return last;
-  return openOwn(browser, undefined, { hasTouch });
+  return openOwn(browser, undefined, options);
 }
 
 /**
@@ -83,19 +86,29 @@ async function takeShared(browser, hasTouch) {
  * or an option of newContext that cannot be changed later. `end` closes it or leaves it to the next
  * test.
  */
-export async function takePage({ prepare, headers, own, webgl, hasTouch = false, ...options }) {
+export async function takePage({
+  prepare,
+  headers,
+  own,
+  webgl,
+  hasTouch = false,
+  deviceScaleFactor = SCALE,
+  ...options
+}) {
   const browser = await sharedBrowser(webgl);
+  const kind = `${hasTouch} ${deviceScaleFactor}`;
   const { viewport, colorScheme, reducedMotion, ...fixed } = { ...USUAL, ...options };
   if (prepare || headers || own || !webgl || Object.keys(fixed).length > 0) {
     const { page, url, close } = await openOwn(browser, headers, {
       ...USUAL,
       ...options,
       hasTouch,
+      deviceScaleFactor,
     });
     await prepare?.(page);
     return { page, url, end: close };
   }
-  const taken = await takeShared(browser, hasTouch);
+  const taken = await takeShared(browser, kind, { hasTouch, deviceScaleFactor });
   const { page, url } = taken;
   let hasCrashed = false;
   const crashed = () => {
@@ -109,9 +122,9 @@ export async function takePage({ prepare, headers, own, webgl, hasTouch = false,
     assert.ok(browser.isConnected(), 'the browser crashed');
     assert.ok(!hasCrashed, 'the page crashed');
     // If a test had several pages at once, only one is kept.
-    if (shared.has(hasTouch)) return taken.close();
+    if (shared.has(kind)) return taken.close();
     await leave(taken);
-    shared.set(hasTouch, taken);
+    shared.set(kind, taken);
   };
   return { page, url, end };
 }

@@ -51,7 +51,7 @@ const THEMES = {
 
 for (const [theme, { view, panel }] of Object.entries(THEMES))
   test(`both views are in the picture, with the legend if there is one, ${theme}`, async (t) => {
-    const page = await openPage(t, { open: BALL, colorScheme: theme });
+    const page = await openPage(t, { open: BALL, colorScheme: theme, deviceScaleFactor: 1 });
     const plain = await savePicture(page);
     assert.equal(plain.name, 'a ball-views.png');
     const sizes = await page.evaluate(() =>

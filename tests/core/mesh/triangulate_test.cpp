@@ -5,8 +5,10 @@
 
 #include "catch.h"
 #include "mesh/corner_table.h"
+#include "support/instrumented.h"
 
 using namespace abflat;
+using abflat::test::cases;
 
 namespace {
 
@@ -80,15 +82,16 @@ TEST_CASE("faces of thousands of corners are no trouble") {
     radius[k] = 0.5 + 0.3 * std::sin(static_cast<double>(k));
   checkTriangulated(starPolygon(radius));
   // A hundred thousand corners: every second one reflex, or nearly all of them on four lines.
-  radius.assign(100000, 1.0);
+  const std::size_t side = cases(25000u, 2500u);
+  radius.assign(4 * side, 1.0);
   for (std::size_t k = 0; k < radius.size(); k += 2) radius[k] = 0.9;
   checkTriangulated(starPolygon(radius));
-  PolygonMesh square = starPolygon(std::vector<double>(100000, 1.0));
-  for (std::size_t k = 0; k < 100000; ++k) {
-    const double along = static_cast<double>(k % 25000) / 25000;
+  PolygonMesh square = starPolygon(std::vector<double>(4 * side, 1.0));
+  for (std::size_t k = 0; k < 4 * side; ++k) {
+    const double along = static_cast<double>(k % side) / static_cast<double>(side);
     const double x[] = {along, 1, 1 - along, 0}, y[] = {0, along, 1, 1 - along};
-    square.positions[3 * k] = x[k / 25000];
-    square.positions[3 * k + 1] = y[k / 25000];
+    square.positions[3 * k] = x[k / side];
+    square.positions[3 * k + 1] = y[k / side];
   }
   checkTriangulated(square);
 }
