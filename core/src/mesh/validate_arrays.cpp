@@ -36,6 +36,8 @@ Status validateExtras(const PolygonMesh& mesh) {
     return invalidMesh("every face needs one material");
   if (!mesh.faceSmoothing.empty() && mesh.faceSmoothing.size() != mesh.faceCount())
     return invalidMesh("every face needs one smoothing group");
+  if (!mesh.vertexObjects.empty() && mesh.vertexObjects.size() != mesh.vertexCount())
+    return invalidMesh("every vertex needs one object");
   return validateCorners(mesh, mesh.faceNormals, mesh.normals, 3, "normal");
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/corner_table.h"
+#include "mesh/vertex_table.h"
 #include "mesh/weld.h"
 
 namespace abflat {
@@ -145,6 +146,10 @@ class Merger {
     return std::sqrt(square);
   }
 
+  bool isOneObject(std::uint32_t a, std::uint32_t b) const {
+    return mesh_.vertexObjects.empty() || mesh_.vertexObjects[a] == mesh_.vertexObjects[b];
+  }
+
   /// How far away others may be to be merged with a place, in units of the tolerance.
   double reachAt(std::uint32_t place, const std::vector<std::uint32_t>& others) const {
     double longest = 0;
@@ -169,6 +174,7 @@ class Merger {
       Standing* nearest = nullptr;
       double least = reach;
       for (Standing& u : standing) {
+        if (!isOneObject(u.place, *v)) continue;
         const double d = distance(u.place, *v);
         if (d > std::min(least, u.reach) || (nearest && d == least) || haveCommon(faces, u.faces))
           continue;
@@ -226,15 +232,30 @@ Welding weldUsed(const PolygonMesh& mesh, const std::vector<std::uint32_t>& used
   return out;
 }
 
+/// The same without what is merged of different objects.
+Welding withinObjects(const PolygonMesh& mesh, Welding welding) {
+  if (mesh.vertexObjects.empty()) return welding;
+  VertexTable table(welding.ofVertex.size());
+  std::vector<std::uint32_t> first;  // of each place and object
+  welding.merged = 0;
+  for (std::uint32_t v = 0; v < welding.ofVertex.size(); ++v) {
+    const std::uint32_t found = table.vertexAt(welding.ofVertex[v], mesh.vertexObjects[v], 0);
+    if (found == first.size()) first.push_back(v);
+    welding.ofVertex[v] = first[found];
+    welding.merged += first[found] != v;
+  }
+  return welding;
+}
+
 }  // namespace
 
 Welding weldSurface(const PolygonMesh& mesh, const Listener& listener) {
   const std::vector<std::uint32_t> used = usedVertices(mesh);
   Welding near = weldUsed(mesh, used,
                           [&](const auto& p) { return weldVertices(p, kWeldTolerance, listener); });
-  if (near.isExact || listener.isStopped()) return near;
-  Welding equal =
-      weldUsed(mesh, used, [&](const auto& p) { return weldEqualVertices(p, listener); });
+  if (near.isExact || listener.isStopped()) return withinObjects(mesh, std::move(near));
+  Welding equal = withinObjects(
+      mesh, weldUsed(mesh, used, [&](const auto& p) { return weldEqualVertices(p, listener); }));
   if (listener.isStopped()) return equal;
   return Merger(mesh, near, std::move(equal), listener).run();
 }
