@@ -43,13 +43,7 @@ export class MeshHeap extends Heap {
     if (materials) this.writeNumbers(native._abflatMaterials(job, materials.length), materials);
     if (vertexObjects)
       this.writeNumbers(native._abflatVertexObjects(job, vertexObjects.length), vertexObjects);
-    mesh.positions = new Float64Array();
-    mesh.indices = new Uint32Array();
-    mesh.texcoords = undefined;
-    mesh.normals = undefined;
-    mesh.cornerNormals = undefined;
-    mesh.materials = undefined;
-    mesh.vertexObjects = undefined;
+    for (const name of Object.keys(mesh)) delete mesh[name as keyof typeof mesh];
   }
 
   writeName(job: number, name: string): void {
