@@ -217,12 +217,10 @@ TEST_CASE("objects that touch stay apart, and each is welded as it is alone") {
 
 TEST_CASE("no chart has faces of two objects") {
   // Two tetrahedra with a face in common, on its two sides.
-  const PolygonMesh one = tetrahedron();
-  PolygonMesh other = one;
-  for (std::size_t v = 0; v < one.vertexCount(); ++v)
-    if (one.positions[3 * v + 2] > 0) other.positions[3 * v + 2] *= -1;
-  for (std::size_t c = 0; c < other.faceVertices.size(); c += 3)
-    std::swap(other.faceVertices[c + 1], other.faceVertices[c + 2]);
+  const PolygonMesh one =
+      makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+  const PolygonMesh other =
+      makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1}, {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2});
   PolygonMesh both = objectsOf(one, other);
   UnwrapOptions options;
   options.resolution = 256;
