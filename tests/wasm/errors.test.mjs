@@ -145,6 +145,7 @@ const NO_MESHES = [
   [{ ...triangle, materials: new Float32Array(1) }, /materials.*Uint32Array/],
   [{ ...triangle, materials: [-1] }, /materials\[0\].*-1/],
   [{ ...triangle, materials: new Uint32Array(2) }, /materials has 2 elements, not 1/],
+  [{ ...triangle, vertexObjects: [0, 0] }, /vertexObjects has 2 elements, not 3: 1 per vertex/],
   [{ bytes: 'v 0 0 0' }, /bytes/],
   [{ bytes: new Uint8Array(1), name: 5 }, /name/],
 ];

@@ -112,14 +112,18 @@ test('an array that was transferred is refused by its name', async () => {
 const withGetter = (object, name, get) =>
   Object.defineProperty(object, name, { get, enumerable: true });
 
+const OF_ARRAYS = ['positions', 'indices', 'texcoords', 'normals', 'cornerNormals', 'materials'];
+OF_ARRAYS.push('vertexObjects');
+
 test('a getter that transfers an array away leaves a mesh that is refused', async () => {
-  const names = ['positions', 'indices', 'texcoords', 'normals', 'cornerNormals', 'materials'];
+  const names = OF_ARRAYS;
   const make = () => ({
     ...grid(2),
     texcoords: new Float64Array(18),
     normals: new Float64Array(27),
     cornerNormals: new Float64Array(72),
     materials: new Uint32Array(8),
+    vertexObjects: new Uint32Array(9),
   });
   const takes = (array, value) => () => {
     if (array.byteLength > 0) detached(array);
@@ -155,9 +159,9 @@ async function fieldNames() {
       refusal.catch(({ message }) => /options are (.*)\.$/.exec(message)[1].split(', ')),
     ),
   );
-  const ofArrays = ['positions', 'indices', 'texcoords', 'normals', 'cornerNormals', 'materials'];
-  const ofMeshes = [...ofArrays, 'bytes', 'name'];
+  const ofMeshes = [...OF_ARRAYS, 'bytes', 'name'];
   const ofHelpers = ['attribute', 'texcoord', 'overwrite', 'groupBy', 'onAtlas', 'bake'];
+  ofHelpers.push('readAttribute', 'readTexcoord', 'ownTexels', 'weights', 'assign', 'preset');
   const ofBaking = ['tangents', 'parts', 'vertexMap', 'decode', 'encode'];
   const others = [...ofMeshes, ...ofHelpers, ...ofBaking, 'vertex', 'uv', 'face', 'report'];
   return new Set([...listed.flat(), ...others]);

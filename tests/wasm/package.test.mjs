@@ -239,6 +239,14 @@ test('the example of a balance in the README runs: stretch falls', async () => {
 test('the example of three.js geometry in the README runs', async () => {
   await runExample('three-unwrap', (stdout) => assert.match(stdout, /^\d+ \d+$/m));
   await runExample('three', () => undefined);
+  await runExample('three-scene', (stdout) => {
+    const rows = stdout.trim().split('\n');
+    assert.deepEqual(
+      rows.slice(0, 3).map((row) => row.split(' ').map(Number)),
+      [1, 2, 3].map((size) => [Number(rows[0].split(' ')[0]), size]),
+    );
+    assert.match(rows[3], /^true \d+/);
+  });
 });
 
 test('the example of glTF in the README runs', async () => {

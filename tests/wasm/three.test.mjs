@@ -323,3 +323,62 @@ test('unwrapGeometry takes what a BatchedMesh holds', async () => {
   assert.ok(result.report.valid);
   assert.equal(result.indices.length, 999);
 });
+
+/** A box whose `name` is a layout of its first side alone, in a corner of the square. */
+function withFirstSide(name) {
+  const box = new THREE.BoxGeometry();
+  const uv = new Float32Array(2 * box.attributes.position.count).fill(Number.NaN);
+  uv.set([0.1, 0.3, 0.3, 0.3, 0.1, 0.1, 0.3, 0.1]);
+  return box.setAttribute(name, new THREE.BufferAttribute(uv, 2));
+}
+
+test('fixedFaces keeps what is in the attribute that is written, or in the one that is named', async () => {
+  for (const options of [
+    { attribute: 'uv1' },
+    { readAttribute: 'uv1' },
+    { attribute: 'uv2', readAttribute: 'uv1' },
+    { preset: 'lightmap' },
+  ]) {
+    const box = withFirstSide('uv1');
+    const { geometry, result } = await unwrapGeometry(abflat, box, {
+      ...options,
+      fixedFaces: 'uv',
+    });
+    assert.ok(result.report.valid);
+    const isFixed = (chart) => result.report.charts[chart].fixed;
+    assert.equal([...result.chartOfTriangle].filter(isFixed).length, 2);
+    const written = geometry.attributes[options.attribute ?? 'uv1'];
+    const kept = rows(written).slice(0, 4);
+    assert.deepEqual(kept, rows(box.attributes.uv1).slice(0, 4), JSON.stringify(options));
+    assert.deepEqual(geometry.attributes.uv.array.slice(0, 8), box.attributes.uv.array.slice(0, 8));
+  }
+  const plain = new THREE.BoxGeometry();
+  await assert.rejects(
+    unwrapGeometry(abflat, plain, { attribute: 'uv1', fixedFaces: 'uv' }),
+    ({ code, message }) => code === 'NoTexcoords' && /no attribute uv1/.test(message),
+  );
+});
+
+test('seams follow the islands of the attribute that is named', async () => {
+  const box = new THREE.BoxGeometry();
+  box.setAttribute('uv1', box.attributes.uv);
+  box.deleteAttribute('uv');
+  const options = { seams: 'uv', readAttribute: 'uv1' };
+  const { geometry, result } = await unwrapGeometry(abflat, box, options);
+  assert.equal(result.report.charts.length, 6);
+  assert.ok(geometry.attributes.uv);
+});
+
+test('preset: what is set holds, the rest is for light maps', async () => {
+  const settings = async (options) => {
+    const sphere = new THREE.SphereGeometry(1, 8, 6);
+    const { geometry, result } = await unwrapGeometry(abflat, sphere, options);
+    const { rotate, padding } = result.report.options;
+    return [geometry.attributes.uv1 !== undefined, rotate, padding];
+  };
+  assert.deepEqual(await settings({}), [false, 'auto', 2]);
+  assert.deepEqual(await settings({ preset: 'lightmap' }), [true, 'quarter', 5]);
+  assert.deepEqual(await settings({ preset: 'lightmap', mipLevels: 3 }), [true, 'quarter', 23]);
+  const own = { attribute: 'uv', rotate: 'none', padding: 9 };
+  assert.deepEqual(await settings({ preset: 'lightmap', ...own }), [false, 'none', 9]);
+});

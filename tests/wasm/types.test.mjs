@@ -70,6 +70,7 @@ import { bakeLayout, type DecodeImage, documentMesh, freeTexcoord, pack, sampled
 export async function all(abflat: Abflat, document: Document, primitive: Primitive): Promise<number[]> {
   await document.transform(unwrap(abflat, { texcoord: 'auto', onAtlas: ({ texcoord }) => texcoord }));
   await document.transform(unwrap(abflat, { bake: true, onAtlas: ({ baked }) => baked?.map(({ texture, side }) => [texture.getName(), side]) }));
+  await document.transform(unwrap(abflat, { preset: 'lightmap', mipLevels: 2, weights: (mesh) => (mesh.getName() ? 2 : undefined) }));
   const decode: DecodeImage = async ({ bytes }) => ({ data: bytes, width: 1, height: bytes.length / 4 });
   await document.transform(pack(abflat, { bake: { decode, encode: (image, map) => ({ bytes: new Uint8Array(image.data), mimeType: map === 'normal' ? 'image/png' : 'image/jpeg' }) } }));
   await document.transform(pack(abflat, { readTexcoord: 1, onAtlas: ({ result }) => result.report.islands }));
@@ -81,13 +82,18 @@ export async function all(abflat: Abflat, document: Document, primitive: Primiti
 `;
 const THREE = `
 import type { Abflat } from 'abflat';
-import { packGeometry, toBufferGeometry, unwrapGeometry } from 'abflat/three';
-import { BoxGeometry, type BufferGeometry } from 'three';
+import { packGeometry, toBufferGeometry, type UnwrappedMesh, unwrapGeometry, unwrapScene } from 'abflat/three';
+import { BoxGeometry, type BufferGeometry, type Mesh, type Object3D } from 'three';
 
 export async function both(abflat: Abflat): Promise<BufferGeometry[]> {
   const { geometry, result } = await unwrapGeometry(abflat, new BoxGeometry(), { attribute: 'uv1' });
   const packed = await packGeometry(abflat, geometry, { readAttribute: 'uv1', islandSizes: 'even' });
   return [packed.geometry, toBufferGeometry(result, { positions: [] })];
+}
+
+export async function scene(abflat: Abflat, object: Object3D, seen: Map<Mesh, number>): Promise<UnwrappedMesh | undefined> {
+  const { result, meshes } = await unwrapScene(abflat, object, { preset: 'lightmap', weights: seen, resolution: 2048 });
+  return result.report.valid ? meshes.find(({ worldScale, mesh }) => worldScale > 1 && mesh.visible) : undefined;
 }
 `;
 

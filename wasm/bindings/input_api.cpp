@@ -60,6 +60,13 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatMaterials(InputJob* job, std::size_t s
   return job->mesh.faceMaterials.data();
 }
 
+/// Buffer for the objects of a mesh given as arrays, one number per vertex. To be called after its
+/// triangles.
+EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatVertexObjects(InputJob* job, std::size_t size) {
+  job->mesh.vertexObjects.resize(size);
+  return job->mesh.vertexObjects.data();
+}
+
 EMSCRIPTEN_KEEPALIVE const void* abflatResultData(const InputJob* job, int field) {
   return resultOf(*job, static_cast<Field>(field)).data;
 }

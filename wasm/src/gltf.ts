@@ -7,12 +7,14 @@ import type { BakedTexture } from './gltf/bake/put-look.js';
 import { bakingOf, firstPart, lastPart } from './gltf/baking.js';
 import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
 import { checkGroupBy, checkSets, type GroupBy, grouped, layEach } from './gltf/groups.js';
+import { MeshWeights } from './gltf/mesh-weights.js';
 import { giveOwnMeshes } from './gltf/own-meshes.js';
 import { setTexcoords } from './gltf/texcoords.js';
 import { freeBakedTexcoord, freeTexcoord } from './gltf/texture-sets.js';
-import { ownFields } from './messages/fields.js';
 import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkBoolean, checkFunction, optionsOf } from './messages/validate.js';
+import { checkWeights, type Weights } from './messages/weights.js';
+import { type PresetOptions, withPreset } from './preset.js';
 import type { AnyAbflat, UnwrapOptions, UnwrapResult } from './types/index.js';
 
 export { type BakedLayout, type BakeLayoutOptions, bakeLayout } from './bake-layout.js';
@@ -30,7 +32,9 @@ export {
 export type { GroupBy } from './gltf/groups.js';
 export { type SetTexcoordsOptions, setTexcoords } from './gltf/texcoords.js';
 export { freeTexcoord, sampledTexcoords } from './gltf/texture-sets.js';
+export type { Weights } from './messages/weights.js';
 export { type PackDocumentOptions, type PackedDocumentAtlas, pack } from './pack-document.js';
+export type { Preset, PresetOptions } from './preset.js';
 
 export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
   result: UnwrapResult;
@@ -42,11 +46,12 @@ export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
 
 /** The options of `unwrap`, which apply to every atlas, and these. */
 export interface UnwrapDocumentOptions
-  extends Omit<UnwrapOptions, 'transfer' | WrittenFormat | 'seamEdges' | 'roundsForGltf'> {
+  extends PresetOptions,
+    Omit<UnwrapOptions, 'transfer' | WrittenFormat | 'seamEdges' | 'roundsForGltf'> {
   /**
    * The new coordinates become TEXCOORD_`texcoord`. `auto`: the result of `freeTexcoord`, which is
-   * 0 if no texture samples that set, otherwise the first unused set. Default: 0, and
-   * `readTexcoord` with `fixedFaces: 'uv'`.
+   * 0 if no texture samples that set, otherwise the first unused set. Default: 0, 1 with a preset,
+   * and `readTexcoord` with `fixedFaces: 'uv'`.
    */
   texcoord?: number | 'auto';
   /** `seams: 'uv'` and `fixedFaces: 'uv'` refer to TEXCOORD_`readTexcoord`. Default: 0. */
@@ -63,9 +68,14 @@ export interface UnwrapDocumentOptions
   groupBy?: GroupBy;
   /**
    * Nodes of the scene that share a mesh each get a copy of it, with coordinates of its own, as
-   * lightmaps need. Default: false, they share its texels.
+   * lightmaps need. Default: false, they share its texels, and true with a preset.
    */
   ownTexels?: boolean;
+  /**
+   * Texel densities of meshes relative to the others of their atlas, from 0.001 to 1000, as a Map or
+   * a function; 1 where there is none. 0 leaves a mesh as it is. Copies have that of their mesh.
+   */
+  weights?: Weights<Mesh>;
   /**
    * Have textures follow the new layout: materials get new images, with what to know about them in
    * an object. `texcoord` is then `auto` by default, for which baked textures do not count.
@@ -90,32 +100,41 @@ export function unwrap(
     bake = false,
     texcoord = usualTexcoord(own, readTexcoord),
     overwrite = texcoord === 'auto' || own.fixedFaces !== undefined,
-    ownTexels = false,
+    ownTexels = own.preset !== undefined,
     groupBy = ownTexels || own.fixedFaces !== undefined ? 'scene' : 'mesh',
     onAtlas,
-    ...settings
+    weights,
+    ...others
   } = own;
   checkAbflat(abflat, 'unwrap');
-  check({ texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas });
+  check({ texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas, weights });
+  const settings = withPreset(others);
   checkFunction('onProgress', own.onProgress);
   const baking = bakingOf(abflat, bake, own.udim);
   const transform = async (document: Document): Promise<void> => {
     const free = baking ? freeBakedTexcoord : freeTexcoord;
     const set = texcoord === 'auto' ? free(document) : texcoord;
-    const all = membersOf(document);
+    const weighed = new MeshWeights(document, weights);
+    const all = membersOf(document).filter((member) => weighed.takesPart(member));
     const isWanted = ({ primitive }: Member) =>
       overwrite || !primitive.getAttribute(`TEXCOORD_${set}`);
     const wanted = all.filter(isWanted);
     if (wanted.length < all.length) tellKept(document, set, all.length - wanted.length, all.length);
     const shared = ownTexels ? new Set(wanted.map(({ mesh }) => mesh)) : new Set<Mesh>();
-    const takeBack = giveOwnMeshes(document, shared);
-    const members = ownTexels ? membersOf(document).filter(isWanted) : wanted;
+    const copies = giveOwnMeshes(document, shared);
+    const members = ownTexels
+      ? membersOf(document).filter((each) => isWanted(each) && weighed.takesPart(each, copies))
+      : wanted;
     const lay = async () => {
       const meshes = grouped(members, groupBy)
         .map((group) => documentMesh(document, group, readTexcoord))
         .filter(({ indices }) => indices.length > 0);
       const onLaid = baking ? firstPart(own.onProgress) : own.onProgress;
-      const atlases = await unwrapGroups(abflat, meshes, { ...settings, onProgress: onLaid });
+      const atlases = await unwrapGroups(abflat, meshes, ({ parts }) => ({
+        ...settings,
+        ...weighed.options(parts, copies),
+        onProgress: onLaid,
+      }));
       const looks = await baking?.prepare(document, atlases.map(laidOf), {
         signal: own.signal,
         onProgress: lastPart(own.onProgress),
@@ -123,7 +142,7 @@ export function unwrap(
       return atlases.map((atlas, i) => ({ atlas, look: looks?.[i] }));
     };
     const unwrapped = await lay().catch((error) => {
-      takeBack();
+      copies.takeBack();
       throw error;
     });
     const done = unwrapped.map(({ atlas, look }): DocumentAtlas => {
@@ -138,9 +157,11 @@ export function unwrap(
 }
 
 /** Textures stay correct unless the caller says otherwise. */
-function usualTexcoord({ fixedFaces, bake }: UnwrapDocumentOptions, readTexcoord: number) {
+function usualTexcoord(options: UnwrapDocumentOptions, readTexcoord: number) {
+  const { fixedFaces, bake, preset } = options;
   if (fixedFaces === 'uv') return readTexcoord;
-  return bake ? 'auto' : 0;
+  if (bake) return 'auto';
+  return preset === undefined ? 0 : 1;
 }
 
 function laidOf({ parts, result }: Pick<DocumentAtlas, 'parts' | 'result'>): LaidAtlas {
@@ -160,21 +181,24 @@ function tellKept(document: Document, set: number, kept: number, count: number):
 }
 
 function check(options: UnwrapDocumentOptions): void {
-  const { texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas } = options;
+  const { texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas, weights } = options;
   checkSets(texcoord, readTexcoord);
   checkBoolean('overwrite', overwrite);
   checkBoolean('ownTexels', ownTexels);
   checkFunction('onAtlas', onAtlas);
   checkGroupBy(groupBy);
+  checkWeights(weights);
 }
 
 async function unwrapGroups(
   abflat: AnyAbflat<'unwrap'>,
   meshes: DocumentMesh[],
-  options: UnwrapOptions,
+  optionsOfMesh: (mesh: DocumentMesh) => UnwrapOptions,
 ): Promise<Omit<DocumentAtlas, 'texcoord'>[]> {
-  return layEach(meshes, ownFields(options).onProgress, async (mesh, call) => {
-    const result = await abflat.unwrap(neededFor(options, mesh), { ...options, ...call });
+  const options = meshes.map(optionsOfMesh);
+  return layEach(meshes, options[0]?.onProgress, async (mesh, call, i) => {
+    const own = options[i] as UnwrapOptions;
+    const result = await abflat.unwrap(neededFor(own, mesh), { ...own, ...call });
     // The only ones it has are about nodes that share texels.
     const notes = mesh.notes.map(
       (note) => `${note}. With the option ownTexels each node gets texels of its own`,

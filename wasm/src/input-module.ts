@@ -9,6 +9,7 @@ export interface InputModule {
   _abflatTexcoords(job: number, count: number): number;
   _abflatNormals(job: number, count: number, areOfCorners: boolean): number;
   _abflatMaterials(job: number, count: number): number;
+  _abflatVertexObjects(job: number, count: number): number;
   _abflatResultData(job: number, field: number): number;
   _abflatResultSize(job: number, field: number): number;
 }

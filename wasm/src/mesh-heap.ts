@@ -32,6 +32,7 @@ export class MeshHeap extends Heap {
     }
     const native = this.#native;
     const { positions, indices, texcoords, normals, cornerNormals, materials } = mesh;
+    const { vertexObjects } = mesh;
     this.writeName(job, 'arrays');
     this.writeReals(native._abflatPositions(job, positions.length), positions);
     this.writeNumbers(native._abflatIndices(job, indices.length), indices);
@@ -40,12 +41,9 @@ export class MeshHeap extends Heap {
       this.writeReals(native._abflatNormals(job, cornerNormals.length, true), cornerNormals);
     else if (normals) this.writeReals(native._abflatNormals(job, normals.length, false), normals);
     if (materials) this.writeNumbers(native._abflatMaterials(job, materials.length), materials);
-    mesh.positions = new Float64Array();
-    mesh.indices = new Uint32Array();
-    mesh.texcoords = undefined;
-    mesh.normals = undefined;
-    mesh.cornerNormals = undefined;
-    mesh.materials = undefined;
+    if (vertexObjects)
+      this.writeNumbers(native._abflatVertexObjects(job, vertexObjects.length), vertexObjects);
+    for (const name of Object.keys(mesh)) delete mesh[name as keyof typeof mesh];
   }
 
   writeName(job: number, name: string): void {
@@ -82,6 +80,6 @@ function bytesOf(mesh: OwnedMesh): number {
   return (
     8 * (numbers(mesh.positions) + numbers(mesh.texcoords)) +
     8 * numbers(mesh.cornerNormals ?? mesh.normals) +
-    4 * (numbers(mesh.indices) + numbers(mesh.materials))
+    4 * (numbers(mesh.indices) + numbers(mesh.materials) + numbers(mesh.vertexObjects))
   );
 }

@@ -3,8 +3,8 @@
 import type { BufferGeometry } from 'three';
 import { AbflatError } from './base/errors.js';
 import type { WrittenFormat } from './base/generated.js';
-import { meshOf, withUv } from './geometry.js';
 import { checkAbflat, checkString, optionsOf } from './messages/validate.js';
+import { meshOf, withUv } from './three/geometry.js';
 import type { AnyAbflat, PackOptions, PackResult } from './types/index.js';
 
 /**

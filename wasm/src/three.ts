@@ -7,8 +7,11 @@ import { pickRows } from './base/rows.js';
 import { ownFields } from './messages/fields.js';
 import type { Layout, MeshArrays } from './types/index.js';
 
+export type { Weights } from './messages/weights.js';
 export { type PackGeometryOptions, packGeometry } from './pack-geometry.js';
+export type { Preset, PresetOptions } from './preset.js';
 export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
+export { type UnwrappedMesh, type UnwrapSceneOptions, unwrapScene } from './unwrap-scene.js';
 
 export interface ToBufferGeometryOptions {
   /**

@@ -1,19 +1,31 @@
 // Unwraps three.js geometry.
 
 import type { BufferGeometry } from 'three';
+import { AbflatError } from './base/errors.js';
 import type { WrittenFormat } from './base/generated.js';
-import { meshOf, withUv } from './geometry.js';
 import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkString, optionsOf } from './messages/validate.js';
+import { type PresetOptions, withPreset } from './preset.js';
+import { meshOf, withUv } from './three/geometry.js';
 import type { AnyAbflat, UnwrapOptions, UnwrapResult } from './types/index.js';
 
 /**
  * The options of `unwrap`, without `transfer`, as a geometry keeps its buffers, and without the
  * file formats.
  */
-export interface UnwrapGeometryOptions extends Omit<UnwrapOptions, 'transfer' | WrittenFormat> {
-  /** Name of the attribute for the new coordinates. Default: `uv`; `uv1` leaves `uv` as it is, for light maps. */
+export interface UnwrapGeometryOptions
+  extends PresetOptions,
+    Omit<UnwrapOptions, 'transfer' | WrittenFormat> {
+  /**
+   * Name of the attribute for the new coordinates; `uv1` is for light maps and leaves `uv` as it is.
+   * Default: `uv`, `readAttribute` with `fixedFaces`, and `uv1` with a preset.
+   */
   attribute?: string;
+  /**
+   * Name of the attribute that `seams: 'uv'` and `fixedFaces` refer to. Default: `uv`, and
+   * `attribute` with `fixedFaces`.
+   */
+  readAttribute?: string;
 }
 
 /**
@@ -27,9 +39,23 @@ export async function unwrapGeometry(
   settings: UnwrapGeometryOptions = {},
 ): Promise<{ geometry: BufferGeometry; result: UnwrapResult }> {
   checkAbflat(abflat, 'unwrap');
-  const { attribute = 'uv', ...options } = optionsOf(settings);
+  const own = optionsOf(settings);
+  const isKept = own.fixedFaces !== undefined;
+  const usual = own.preset === undefined ? 'uv' : 'uv1';
+  const {
+    attribute = (isKept ? own.readAttribute : undefined) ?? usual,
+    readAttribute = isKept ? attribute : 'uv',
+    ...others
+  } = own;
   checkString('attribute', attribute);
-  const mesh = meshOf(geometry, 'uv', 'unwrapGeometry');
+  checkString('readAttribute', readAttribute);
+  const options = withPreset(others);
+  const mesh = meshOf(geometry, readAttribute, 'unwrapGeometry');
+  if (own.fixedFaces === 'uv' && !mesh.texcoords)
+    throw new AbflatError(
+      'NoTexcoords',
+      `The geometry has no attribute ${readAttribute}, so there is no layout to keep. Name the one that has it as readAttribute.`,
+    );
   const result = await abflat.unwrap(neededFor(options, mesh), options);
   return { geometry: withUv(geometry, result, attribute), result };
 }

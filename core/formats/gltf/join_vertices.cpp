@@ -6,6 +6,7 @@ namespace abflat {
 
 std::size_t joinVertices(PolygonMesh& mesh) {
   if (inspect(mesh, Listener()).disk.ok()) return 0;
+  mesh.vertexObjects = {};
   const Welding welding = weldSurface(mesh);
   for (std::uint32_t& v : mesh.faceVertices) v = welding.ofVertex[v];
   return welding.merged;

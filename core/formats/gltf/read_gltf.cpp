@@ -78,6 +78,8 @@ class ModelReader {
     model_.mesh.faceTexcoords = model_.mesh.faceVertices;
     settleTexcoords(model_.mesh);
     takeVertexNormals(model_.mesh);
+    if (source_.parts.empty() || source_.parts.front().mesh == source_.parts.back().mesh)
+      model_.mesh.vertexObjects = {};  // one object
     source_.vertexCount = static_cast<std::uint32_t>(model_.mesh.vertexCount());
     source_.faceVertices = model_.mesh.faceVertices;
     if (materials_.size() < 2 && materials_.count(kNone) == materials_.size())
@@ -202,6 +204,7 @@ class ModelReader {
                              " has a coordinate that is not finite");
       mesh.positions.insert(mesh.positions.end(), at.begin(), at.end());
     }
+    mesh.vertexObjects.resize(mesh.vertexCount(), static_cast<std::uint32_t>(m));
     addTexcoords(primitive, positions.count);
     addNormals(primitive, positions.count, matrix);
     source_.groups.push_back(group);

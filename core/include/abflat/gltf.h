@@ -19,7 +19,8 @@ struct Source;  // the file, and how the mesh was made from it
 
 /// A glTF 2.0 file, plain or compressed with Draco or meshopt, as one mesh: the triangles of all
 /// primitives of the scene, in file order, each mesh placed by the node that makes it largest.
-/// Texcoords are those of one set, with v upwards; materials are those of the file.
+/// Texcoords are those of one set, with v upwards; materials are those of the file. Its meshes are
+/// objects, which unwrap does not join where they touch.
 struct GltfModel {
   PolygonMesh mesh;
   std::vector<std::string> notes;  ///< what is not in the mesh, one sentence each
@@ -43,8 +44,8 @@ ABFLAT_API Result<GltfModel> readGltf(std::string_view bytes, const std::string&
                                       const GltfReadOptions& options = {});
 
 /// A glTF repeats vertices where normals or texcoords change. Makes faces use the first vertex at
-/// each position, unless the mesh is already a disk, which may be because it was cut. Returns how
-/// many vertices are no longer used.
+/// each position, whatever object it is of, unless the mesh is already a disk, which may be because
+/// it was cut. Returns how many vertices are no longer used.
 ABFLAT_API std::size_t joinVertices(PolygonMesh& mesh);
 
 /// New images for the layout that is written, and which of them materials use.

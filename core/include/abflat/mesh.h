@@ -33,6 +33,9 @@ struct PolygonMesh {
   std::vector<std::uint32_t> faceNormals;    ///< normal of each face corner, or kNoNormal
   std::vector<std::uint32_t> faceSmoothing;  ///< smoothing group per face, 0 = off; if no normals
   bool isZUp = false;                        ///< z points up in such files, not y
+  /// Per vertex, the number of the object that it belongs to. Those of different objects are apart,
+  /// even at one place. Empty: there is one object.
+  std::vector<std::uint32_t> vertexObjects;
 
   std::size_t vertexCount() const { return positions.size() / 3; }
   std::size_t faceCount() const { return faceOffsets.empty() ? 0 : faceOffsets.size() - 1; }

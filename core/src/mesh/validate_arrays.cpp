@@ -32,10 +32,15 @@ Status validateCorners(const PolygonMesh& mesh, const std::vector<std::uint32_t>
 Status validateExtras(const PolygonMesh& mesh) {
   if (Status s = validateCorners(mesh, mesh.faceTexcoords, mesh.texcoords, 2, "texcoord"); !s.ok())
     return s;
-  if (!mesh.faceMaterials.empty() && mesh.faceMaterials.size() != mesh.faceCount())
-    return invalidMesh("every face needs one material");
-  if (!mesh.faceSmoothing.empty() && mesh.faceSmoothing.size() != mesh.faceCount())
-    return invalidMesh("every face needs one smoothing group");
+  const auto isEach = [](const std::vector<std::uint32_t>& numbers, std::size_t count) {
+    return numbers.empty() || numbers.size() == count;
+  };
+  const char* const missing =
+      !isEach(mesh.faceMaterials, mesh.faceCount())     ? "every face needs one material"
+      : !isEach(mesh.faceSmoothing, mesh.faceCount())   ? "every face needs one smoothing group"
+      : !isEach(mesh.vertexObjects, mesh.vertexCount()) ? "every vertex needs one object"
+                                                        : nullptr;
+  if (missing) return invalidMesh(missing);
   return validateCorners(mesh, mesh.faceNormals, mesh.normals, 3, "normal");
 }
 

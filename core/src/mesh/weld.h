@@ -30,8 +30,9 @@ Welding weldVertices(const std::vector<double>& positions, double tolerance = kW
 Welding weldEqualVertices(const std::vector<double>& positions, const Listener& listener = {});
 
 /// Merges vertices with identical coordinates, and others within the tolerance if the surface would
-/// be open between them. Never merges two different places of one face, so detail below the
-/// tolerance stays. Vertices that no face uses stay separate and do not affect the bounding box.
+/// be open between them, if they are of one object. Never merges two different places of one face,
+/// so detail below the tolerance stays. Vertices that no face uses stay separate and do not affect
+/// the bounding box.
 Welding weldSurface(const PolygonMesh& mesh, const Listener& listener = {});
 
 }  // namespace abflat

@@ -208,33 +208,50 @@ std::vector<std::uint32_t> usedVertices(const PolygonMesh& mesh) {
   return out;
 }
 
-/// Applies `weld(positions)` to those vertices only; all others stay as they are, wherever they
-/// lie.
-template <class Weld>
-Welding weldUsed(const PolygonMesh& mesh, const std::vector<std::uint32_t>& used,
-                 const Weld& weld) {
-  if (used.size() == mesh.vertexCount()) return weld(mesh.positions);
-  std::vector<double> positions;
-  positions.reserve(3 * used.size());
+std::vector<double> positionsOf(const PolygonMesh& mesh, const std::vector<std::uint32_t>& used) {
+  std::vector<double> out;
+  out.reserve(3 * used.size());
   for (const std::size_t v : used)
-    for (std::size_t d = 0; d < 3; ++d) positions.push_back(mesh.positions[3 * v + d]);
-  Welding out = weld(positions);
-  std::vector<std::uint32_t> ofVertex(mesh.vertexCount());
-  std::iota(ofVertex.begin(), ofVertex.end(), 0u);
-  for (std::size_t i = 0; i < used.size(); ++i) ofVertex[used[i]] = used[out.ofVertex[i]];
-  out.ofVertex = std::move(ofVertex);
+    for (std::size_t d = 0; d < 3; ++d) out.push_back(mesh.positions[3 * v + d]);
   return out;
+}
+
+/// Takes apart what is merged of different objects.
+void separateObjects(const PolygonMesh& mesh, const Listener& listener, Welding& welding) {
+  std::vector<double> keys;  // a place and an object, as if they were coordinates
+  keys.reserve(3 * welding.ofVertex.size());
+  for (std::size_t v = 0; v < welding.ofVertex.size(); ++v)
+    for (const std::uint32_t x : {welding.ofVertex[v], mesh.vertexObjects[v], 0u})
+      keys.push_back(x);
+  Welding apart = weldEqualVertices(keys, listener);
+  welding.ofVertex.swap(apart.ofVertex);
+  welding.merged = apart.merged;
+}
+
+/// Makes a welding of used vertices one of all: others stay as they are, wherever they lie.
+void extend(const PolygonMesh& mesh, const std::vector<std::uint32_t>& used,
+            const Listener& listener, Welding& welding) {
+  if (used.size() < mesh.vertexCount()) {
+    std::vector<std::uint32_t> ofVertex(mesh.vertexCount());
+    std::iota(ofVertex.begin(), ofVertex.end(), 0u);
+    for (std::size_t i = 0; i < used.size(); ++i) ofVertex[used[i]] = used[welding.ofVertex[i]];
+    welding.ofVertex.swap(ofVertex);
+  }
+  if (!mesh.vertexObjects.empty()) separateObjects(mesh, listener, welding);
 }
 
 }  // namespace
 
 Welding weldSurface(const PolygonMesh& mesh, const Listener& listener) {
   const std::vector<std::uint32_t> used = usedVertices(mesh);
-  Welding near = weldUsed(mesh, used,
-                          [&](const auto& p) { return weldVertices(p, kWeldTolerance, listener); });
+  const bool usesAll = used.size() == mesh.vertexCount();
+  const std::vector<double> some = usesAll ? std::vector<double>() : positionsOf(mesh, used);
+  const std::vector<double>& positions = usesAll ? mesh.positions : some;
+  Welding near = weldVertices(positions, kWeldTolerance, listener);
+  extend(mesh, used, listener, near);
   if (near.isExact || listener.isStopped()) return near;
-  Welding equal =
-      weldUsed(mesh, used, [&](const auto& p) { return weldEqualVertices(p, listener); });
+  Welding equal = weldEqualVertices(positions, listener);
+  extend(mesh, used, listener, equal);
   if (listener.isStopped()) return equal;
   return Merger(mesh, near, std::move(equal), listener).run();
 }

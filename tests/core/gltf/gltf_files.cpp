@@ -11,7 +11,7 @@ std::string glbOf(std::string json, const std::string& buffer) {
   return gltf::binaryFile(json, buffer, {}).value();
 }
 
-std::string octahedronGlb() {
+std::string octahedronGlb(std::size_t meshes) {
   const std::vector<float> positions = {1, 0, 0, 0, 1, 0, 0, 0, 1, -1, 0, 0, 0, -1, 0, 0, 0, -1};
   const std::vector<unsigned char> indices = {0, 1, 2, 1, 3, 2, 3, 4, 2, 4, 0, 2,
                                               1, 0, 5, 3, 1, 5, 4, 3, 5, 0, 4, 5};
@@ -19,8 +19,7 @@ std::string octahedronGlb() {
                                               11, 21, 31, 0, 41, 51, 61, 0, 71, 81, 91, 0};
   const std::vector<unsigned char> moved = {1, 4, 0, 0};
   const std::vector<float> shifts = {5, 6, 7, 8, 9, 10};
-  return glbOf(
-      R"({
+  std::string json = R"({
     "asset": {"version": "2.0"}, "buffers": [{"byteLength": {SIZE}}],
     "bufferViews": [
       {"buffer": 0, "byteOffset": 0, "byteLength": 72},
@@ -35,9 +34,16 @@ std::string octahedronGlb() {
       {"bufferView": 2, "componentType": 5121, "count": 6, "type": "VEC3", "normalized": true},
       {"componentType": 5126, "count": 6, "type": "VEC3", "sparse": {"count": 2,
        "indices": {"bufferView": 3, "componentType": 5121}, "values": {"bufferView": 4}}}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 2}, "indices": 1,
-                                "targets": [{"POSITION": 3}]}]}]})",
-      bytesOf(positions) + bytesOf(indices) + bytesOf(colours) + bytesOf(moved) + bytesOf(shifts));
+    "meshes": [{MESHES}]})";
+  const std::string mesh =
+      R"({"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 2}, "indices": 1,
+                          "targets": [{"POSITION": 3}]}]})";
+  std::string list = mesh;
+  for (std::size_t i = 1; i < meshes; ++i) list += "," + mesh;
+  const std::string kMeshes = "{MESHES}";
+  json.replace(json.find(kMeshes), kMeshes.size(), list);
+  return glbOf(json, bytesOf(positions) + bytesOf(indices) + bytesOf(colours) + bytesOf(moved) +
+                         bytesOf(shifts));
 }
 
 Result<GltfModel> readAlone(const std::string& bytes) {

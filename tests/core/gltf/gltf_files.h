@@ -17,8 +17,8 @@ std::string bytesOf(const std::vector<T>& values) {
 std::string glbOf(std::string json, const std::string& buffer);
 
 /// A closed surface (an octahedron) with 8-bit indices, a colour for each vertex and a sparse morph
-/// target.
-std::string octahedronGlb();
+/// target. `meshes`: so many with the same accessors, all in one place.
+std::string octahedronGlb(std::size_t meshes = 1);
 
 /// Reads a file that refers to no other files.
 Result<GltfModel> readAlone(const std::string& bytes);

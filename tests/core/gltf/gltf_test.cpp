@@ -71,6 +71,15 @@ TEST_CASE("a GLB is read with its transform, strides and sparse values", "[gltf]
   CHECK(target == std::vector<double>{0, 0, 0, 5, 6, 7, 0, 0, 0, 0, 0, 0, 8, 9, 10, 0, 0, 0});
 }
 
+TEST_CASE("meshes of a file are objects, until their vertices are joined", "[gltf]") {
+  CHECK(readAlone(octahedronGlb()).value().mesh.vertexObjects.empty());
+  PolygonMesh mesh = readAlone(octahedronGlb(2)).value().mesh;
+  CHECK(mesh.vertexObjects == std::vector<std::uint32_t>{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1});
+  CHECK(unwrap(mesh, {}).value().report.repair.mergedVertices == 0);
+  CHECK(joinVertices(mesh) == 6);
+  CHECK(mesh.vertexObjects.empty());
+}
+
 TEST_CASE("written vertices repeat all attributes and morph targets", "[gltf]") {
   const GltfModel before = readAlone(octahedronGlb()).value();
   for (const bool isBinary : {true, false}) {

@@ -177,6 +177,73 @@ TEST_CASE("one face of many corners that are nearly at one place by twos") {
   CHECK(weldSurface(mesh).merged == 0);
 }
 
+namespace {
+
+/// Both meshes as objects of one, vertex by vertex in turn as far as that goes.
+PolygonMesh objectsOf(const PolygonMesh& a, const PolygonMesh& b) {
+  PolygonMesh out;
+  const std::size_t most = std::max(a.vertexCount(), b.vertexCount());
+  std::vector<std::uint32_t> number[2];
+  for (std::size_t v = 0; v < most; ++v)
+    for (const PolygonMesh* mesh : {&a, &b}) {
+      if (v >= mesh->vertexCount()) continue;
+      const bool isSecond = mesh == &b;
+      number[isSecond].push_back(static_cast<std::uint32_t>(out.vertexCount()));
+      for (std::size_t d = 0; d < 3; ++d) out.positions.push_back(mesh->positions[3 * v + d]);
+      out.vertexObjects.push_back(isSecond ? 7 : 4);
+    }
+  for (const PolygonMesh* mesh : {&a, &b})
+    for (const std::uint32_t v : mesh->faceVertices)
+      out.faceVertices.push_back(number[mesh == &b][v]);
+  for (std::uint32_t c = 0; c <= out.faceVertices.size(); c += 3) out.faceOffsets.push_back(c);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("objects that touch stay apart, and each is welded as it is alone") {
+  // The second one is in the same place, so that every vertex and every edge has a double.
+  for (const double noise : {0.0, 1e-8}) {
+    const PolygonMesh mesh = torus(12, 18);
+    const PolygonMesh a = noise > 0 ? shakenSoup(mesh, noise) : exploded(mesh);
+    const PolygonMesh both = objectsOf(a, exploded(mesh));
+    const Welding alone = weldSurface(a), w = weldSurface(both);
+    CHECK(w.merged == 2 * alone.merged);
+    for (std::uint32_t v = 0; v < w.ofVertex.size(); ++v)
+      if (w.ofVertex[v] % 2 != v % 2) FAIL("vertex " << v << " is merged with " << w.ofVertex[v]);
+    for (std::uint32_t v = 0; v < alone.ofVertex.size(); ++v)
+      CHECK(w.ofVertex[2 * v] == 2 * alone.ofVertex[v]);
+  }
+}
+
+TEST_CASE("no chart has faces of two objects") {
+  // Two tetrahedra with a face in common, on its two sides.
+  const PolygonMesh one =
+      makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+  const PolygonMesh other =
+      makeTriangleMesh({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1}, {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2});
+  PolygonMesh both = objectsOf(one, other);
+  UnwrapOptions options;
+  options.resolution = 256;
+  options.maxStretch = 3;
+  const Result<UnwrapResult> apart = unwrap(both, options);
+  REQUIRE(apart.ok());
+  CHECK(apart.value().report.valid);
+  CHECK(apart.value().report.repair.mergedVertices == 0);
+  std::vector<std::uint32_t> objectOf(apart.value().report.charts.size(), 0);
+  for (std::size_t f = 0; f < both.faceCount(); ++f) {
+    std::uint32_t& object = objectOf[apart.value().chartOfFace[f]];
+    const std::uint32_t here = both.vertexObjects[both.faceVertices[3 * f]];
+    CHECK((object == 0 || object == here));
+    object = here;
+  }
+  both.vertexObjects = {};
+  CHECK(unwrap(both, options).value().report.repair.mergedVertices == 3);
+
+  both.vertexObjects = {1, 1};
+  CHECK(unwrap(both, options).status().code == StatusCode::InvalidMesh);
+}
+
 TEST_CASE("vertices that no face uses are not there", "[unused]") {
   const PolygonMesh mesh = shakenSoup(torus(cases(8u, 5u), cases(6u, 4u)), 1e-8);
   const Welding wanted = weldSurface(mesh);

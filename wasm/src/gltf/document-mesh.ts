@@ -2,9 +2,10 @@
 
 import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transform/core';
 import { AbflatError } from '../base/errors.js';
+import { type Placement, put, putNormal } from '../base/placement.js';
 import { checkMemory } from '../messages/validate.js';
 import type { MeshArrays } from '../types/index.js';
-import { type Placement, Placements, put, putNormal } from './placement.js';
+import { Placements } from './placement.js';
 import { isOfTriangles, trianglesOf } from './triangles.js';
 
 /** The part of the mesh that one primitive makes up. */
@@ -12,8 +13,8 @@ export interface DocumentPart {
   mesh: Mesh;
   primitive: Primitive;
   /**
-   * Primitives that share their positions and are placed alike also share vertices, unless their
-   * texcoords differ.
+   * Primitives of a mesh that share their positions also share vertices, unless their texcoords
+   * differ.
    */
   firstVertex: number;
   vertexCount: number;
@@ -34,6 +35,8 @@ export interface DocumentMesh extends MeshArrays {
   /** Shading normals of the vertices, if any primitive has them. */
   normals?: Float64Array;
   materials: Uint32Array;
+  /** If there are several meshes: they are objects, which are apart where they touch. */
+  vertexObjects?: Uint32Array;
   document: Document;
   parts: DocumentPart[];
   /** What to know about how it was read, one sentence each; `unwrap` adds them to its reports. */
@@ -58,8 +61,7 @@ export function membersOf(document: Document): Member[] {
 
 /**
  * The triangles of a document, or only those of `members`, as one mesh in scene coordinates, with
- * the coordinates of TEXCOORD_`texcoord`. Each
- * mesh is where the node that makes it largest puts it.
+ * the coordinates of TEXCOORD_`texcoord`. Each mesh is where the node that makes it largest puts it.
  */
 export function documentMesh(
   document: Document,
@@ -73,23 +75,23 @@ export function documentMesh(
       .getRoot()
       .listMaterials()
       .indexOf(part.primitive.getMaterial() as Material) + 1;
-  const blocks = new Map<Accessor, [Placement, DocumentPart][]>();
+  const blocks = new Map<Accessor, DocumentPart[]>();
   for (const member of members) {
     const position = member.primitive.getAttribute('POSITION') as Accessor;
     const placement = placements.of(member.mesh);
     const known = blocks.get(position) ?? [];
     blocks.set(position, known);
     const shared = known.find(
-      ([other, part]) =>
-        samePlace(other, placement) &&
-        fits(part.primitive, member.primitive, `TEXCOORD_${texcoord}`),
-    )?.[1];
-    known.push([placement, gather(document, member, placement, shared, gathered)]);
+      ({ mesh, primitive }) =>
+        mesh === member.mesh && fits(primitive, member.primitive, `TEXCOORD_${texcoord}`),
+    );
+    known.push(gather(document, member, placement, shared, gathered));
   }
   const { parts } = gathered;
   const positions = joined(Float64Array, gathered.positions);
   const texcoords = texcoordsOf(parts, positions.length / 3, `TEXCOORD_${texcoord}`);
   const normals = normalsOf(parts, positions.length / 3, placements);
+  const vertexObjects = objectsOf(parts, positions.length / 3);
   return {
     positions,
     indices: joined(Uint32Array, gathered.triangles),
@@ -99,6 +101,7 @@ export function documentMesh(
       Uint32Array,
       parts.map((part) => new Uint32Array(part.triangleCount).fill(materialOf(part))),
     ),
+    ...(vertexObjects && { vertexObjects }),
     document,
     parts,
     notes: placements.notes(parts.map(({ mesh }) => mesh)),
@@ -180,13 +183,28 @@ function normalsOf(
   return normals;
 }
 
+/** The mesh of each vertex; undefined if there is only one. */
+function objectsOf(parts: DocumentPart[], vertexCount: number): Uint32Array | undefined {
+  const numbers = new Map([...new Set(parts.map(({ mesh }) => mesh))].map((mesh, i) => [mesh, i]));
+  if (numbers.size < 2) return undefined;
+  const objects = new Uint32Array(vertexCount);
+  for (const { mesh, firstVertex, vertexCount: count } of parts)
+    objects.fill(numbers.get(mesh) as number, firstVertex, firstVertex + count);
+  return objects;
+}
+
 type Fail = (what: string) => AbflatError;
+
+/** For messages. */
+export function meshName(document: Document, mesh: Mesh): string {
+  const number = document.getRoot().listMeshes().indexOf(mesh);
+  const name = mesh.getName() ? ` (${JSON.stringify(mesh.getName())})` : '';
+  return `mesh ${number}${name}`;
+}
 
 /** Makes errors that name the mesh and the primitive. */
 function failureOf(document: Document, mesh: Mesh, primitive: Primitive): Fail {
-  const number = document.getRoot().listMeshes().indexOf(mesh);
-  const name = mesh.getName() ? ` (${JSON.stringify(mesh.getName())})` : '';
-  const place = `mesh ${number}${name}, primitive ${mesh.listPrimitives().indexOf(primitive)}`;
+  const place = `${meshName(document, mesh)}, primitive ${mesh.listPrimitives().indexOf(primitive)}`;
   return (what) => new AbflatError('InvalidMesh', `${place}: ${what}`);
 }
 
@@ -244,11 +262,6 @@ function inMesh(corners: Uint32Array, firstVertex: number, isMirrored: boolean):
 export function turned(triangles: Uint32Array): Uint32Array {
   for (let c = 0; c < triangles.length; c += 3) triangles.subarray(c + 1, c + 3).reverse();
   return triangles;
-}
-
-function samePlace(a: Placement, b: Placement): boolean {
-  if (!a.matrix || !b.matrix) return a.matrix === b.matrix;
-  return a.matrix.every((x, i) => x === b.matrix?.[i]);
 }
 
 /** Whether one texcoord per vertex is enough for both. */

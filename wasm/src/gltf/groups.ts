@@ -52,17 +52,21 @@ export interface CallOfAtlas<P> {
 export async function layEach<P extends { fraction: number }, R>(
   meshes: DocumentMesh[],
   onProgress: Listener<P>,
-  lay: (mesh: DocumentMesh, call: CallOfAtlas<P>) => Promise<R>,
+  lay: (mesh: DocumentMesh, call: CallOfAtlas<P>, i: number) => Promise<R>,
 ): Promise<{ parts: DocumentPart[]; result: R }[]> {
   const atlases: { parts: DocumentPart[]; result: R }[] = [];
   for (const [i, mesh] of meshes.entries()) {
     const tell = (progress: P) =>
       onProgress?.({ ...progress, fraction: (i + progress.fraction) / meshes.length });
-    const result = await lay(mesh, {
-      ...(onProgress && { onProgress: tell }),
-      transfer: true,
-      roundsForGltf: true,
-    });
+    const result = await lay(
+      mesh,
+      {
+        ...(onProgress && { onProgress: tell }),
+        transfer: true,
+        roundsForGltf: true,
+      },
+      i,
+    );
     atlases.push({ parts: mesh.parts, result });
   }
   return atlases;

@@ -2,11 +2,18 @@
 
 import type { Document, Mesh, Node } from '@gltf-transform/core';
 
+export interface OwnMeshes {
+  /** The mesh that a copy was made of, or the mesh itself. */
+  originalOf(mesh: Mesh): Mesh;
+  /** Takes the copies away again. */
+  takeBack(): void;
+}
+
 /**
  * Gives nodes of the scene that share one of `meshes` a mesh each: the first node keeps it, the
- * others get copies, which use the same accessors. Returns what takes the copies away again.
+ * others get copies, which use the same accessors.
  */
-export function giveOwnMeshes(document: Document, meshes: ReadonlySet<Mesh>): () => void {
+export function giveOwnMeshes(document: Document, meshes: ReadonlySet<Mesh>): OwnMeshes {
   const root = document.getRoot();
   const used = new Set<Mesh>();
   const given: { node: Node; mesh: Mesh; copy: Mesh }[] = [];
@@ -17,11 +24,15 @@ export function giveOwnMeshes(document: Document, meshes: ReadonlySet<Mesh>): ()
     used.add(mesh);
   });
   for (const { node, copy } of given) node.setMesh(copy);
-  return () => {
-    for (const { node, mesh, copy } of given) {
-      node.setMesh(mesh);
-      dispose(copy);
-    }
+  const originals = new Map(given.map(({ mesh, copy }) => [copy, mesh]));
+  return {
+    originalOf: (mesh) => originals.get(mesh) ?? mesh,
+    takeBack: () => {
+      for (const { node, mesh, copy } of given) {
+        node.setMesh(mesh);
+        dispose(copy);
+      }
+    },
   };
 }
 

@@ -109,6 +109,7 @@ const OF_ARRAYS: readonly (keyof MeshArrays)[] = [
   'normals',
   'cornerNormals',
   'materials',
+  'vertexObjects',
 ];
 
 function checkArrays(mesh: object): OwnedArrays {
@@ -123,21 +124,19 @@ function checkArrays(mesh: object): OwnedArrays {
       : whole('indices', given.indices);
   checkMultiple('indices', indices, 3);
   const checked: OwnedArrays = { positions, indices };
-  if (given.texcoords !== undefined) {
-    checked.texcoords = reals('texcoords', given.texcoords);
-    checkLength('texcoords', checked.texcoords, (2 * positions.length) / 3, '2 per vertex');
-  }
-  if (given.normals !== undefined) {
-    checked.normals = reals('normals', given.normals);
-    checkLength('normals', checked.normals, positions.length, '3 per vertex');
-  }
-  if (given.cornerNormals !== undefined) {
-    checked.cornerNormals = reals('cornerNormals', given.cornerNormals);
-    checkLength('cornerNormals', checked.cornerNormals, 3 * indices.length, '3 per corner');
-  }
-  if (given.materials !== undefined) {
-    checked.materials = whole('materials', given.materials);
-    checkLength('materials', checked.materials, indices.length / 3, '1 per triangle');
+  const [vertices, triangles] = [positions.length / 3, indices.length / 3];
+  const extras: [keyof OwnedArrays, typeof reals | typeof whole, number, string][] = [
+    ['texcoords', reals, 2 * vertices, '2 per vertex'],
+    ['normals', reals, 3 * vertices, '3 per vertex'],
+    ['cornerNormals', reals, 9 * triangles, '3 per corner'],
+    ['materials', whole, triangles, '1 per triangle'],
+    ['vertexObjects', whole, vertices, '1 per vertex'],
+  ];
+  for (const [name, read, wanted, rule] of extras) {
+    if (given[name] === undefined) continue;
+    const array = read(name, given[name]);
+    checkLength(name, array, wanted, rule);
+    Object.assign(checked, { [name]: array });
   }
   return checked;
 }

@@ -7,7 +7,8 @@ export function neededFor(
   mesh: MeshArrays,
 ): MeshArrays {
   const { seams, fixedFaces, stack = 'none' } = ownFields(options);
-  const { positions, indices, texcoords, normals, cornerNormals, materials } = ownFields(mesh);
+  const own = ownFields(mesh);
+  const { positions, indices, texcoords, normals, cornerNormals, materials, vertexObjects } = own;
   // A value that is not a string is refused later, when it is used.
   const words = seams === undefined ? 'auto' : seams;
   const sources = typeof words === 'string' ? words.split(',').map((each) => each.trim()) : [];
@@ -23,5 +24,6 @@ export function neededFor(
     ...(normals && wantsHardEdges && { normals }),
     ...(cornerNormals && wantsHardEdges && { cornerNormals }),
     ...(materials && wantsMaterials && { materials }),
+    ...(vertexObjects && { vertexObjects }),
   };
 }

@@ -33,6 +33,7 @@ export interface OwnedArrays {
   normals?: Float32Array | Float64Array;
   cornerNormals?: Float32Array | Float64Array;
   materials?: Whole;
+  vertexObjects?: Whole;
 }
 
 /** A mesh in buffers that belong to the call. */

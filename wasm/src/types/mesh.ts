@@ -36,6 +36,11 @@ export interface MeshArrays {
   cornerNormals?: RealArray;
   /** One number per triangle: for seams `'material'` and `'auto'`, and for `stack`. */
   materials?: WholeArray;
+  /**
+   * One number per vertex, that of the object it is part of. Vertices of different objects are apart
+   * for `unwrap`, even in one place. Default: there is one object.
+   */
+  vertexObjects?: WholeArray;
 }
 
 /**

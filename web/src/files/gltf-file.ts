@@ -62,14 +62,14 @@ export async function writeGltf(
 
 function contentOf(name: string, document: Document, texcoord: number): Omit<GltfFile, 'files'> {
   const mesh = documentMesh(document, undefined, texcoord);
-  const { positions, indices, texcoords, normals, materials, notes } = mesh;
+  const { positions, indices, texcoords, normals, materials, vertexObjects, notes } = mesh;
   if (indices.length === 0) throw new Error(GLTF.noTriangles(name));
   const primitives = document
     .getRoot()
     .listMeshes()
     .flatMap((mesh) => mesh.listPrimitives());
   return {
-    mesh: { positions, indices, texcoords, normals, materials },
+    mesh: { positions, indices, texcoords, normals, materials, vertexObjects },
     freeTexcoord: freeTexcoord(document),
     notes,
     texcoordSets: texcoordSets(primitives),

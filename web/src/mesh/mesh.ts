@@ -8,13 +8,14 @@ export interface DisplayMesh {
 
 /**
  * With data that seams may follow: 2 texcoords and a normal per vertex, a normal per corner where
- * vertices have several, a material per triangle.
+ * vertices have several, a material per triangle, an object per vertex if there are several.
  */
 export interface ArrayMesh extends DisplayMesh {
   texcoords?: Float64Array;
   normals?: Float64Array;
   cornerNormals?: Float64Array;
   materials?: Uint32Array;
+  vertexObjects?: Uint32Array;
 }
 
 /** A flattened mesh as it is drawn: `uv` has 2 per vertex of `indices`. */

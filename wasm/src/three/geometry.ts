@@ -7,10 +7,10 @@ import {
   InstancedBufferGeometry,
   type InterleavedBufferAttribute,
 } from 'three';
-import { AbflatError } from './base/errors.js';
-import { indexArray, pickRows } from './base/rows.js';
-import { checkMemory } from './messages/validate.js';
-import type { Layout, MeshArrays } from './types/index.js';
+import { AbflatError } from '../base/errors.js';
+import { indexArray, pickRows } from '../base/rows.js';
+import { checkMemory } from '../messages/validate.js';
+import type { Layout, MeshArrays } from '../types/index.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 

@@ -1,0 +1,136 @@
+// Unwraps all meshes of a three.js scene into one atlas.
+
+import type { BufferGeometry, Mesh, Object3D } from 'three';
+import { AbflatError } from './base/errors.js';
+import { fieldOf, ownFields } from './messages/fields.js';
+import { neededFor } from './messages/needed-arrays.js';
+import { checkAbflat, checkBoolean, checkString, optionsOf } from './messages/validate.js';
+import { checkWeights, densitiesFor, type Weights } from './messages/weights.js';
+import { type PresetOptions, withPreset } from './preset.js';
+import { withPartOf } from './three/put-layout.js';
+import { type ScenePart, sceneMesh } from './three/scene-mesh.js';
+import { sharingNotes, subjectsBelow } from './three/scene-objects.js';
+import type { AnyAbflat, UnwrapResult } from './types/index.js';
+import type { UnwrapGeometryOptions } from './unwrap-geometry.js';
+
+/** Numbers of faces and vertices mean nothing in a scene. */
+type OfOneGeometry =
+  | 'seamEdges'
+  | 'fixedFaces'
+  | 'fixedCharts'
+  | 'faceDensities'
+  | 'pins'
+  | 'known'
+  | 'keepsPlaces';
+
+export interface UnwrapSceneOptions
+  extends PresetOptions,
+    Omit<UnwrapGeometryOptions, OfOneGeometry> {
+  /** Name of the attribute for the new coordinates. Default: `uv1`, which light maps read. */
+  attribute?: string;
+  /** `uv`: what geometries have in `readAttribute` stays exactly as it is. */
+  fixedFaces?: 'uv';
+  /**
+   * Texel densities of meshes relative to the others, from 0.001 to 1000, as a Map or a function; 1
+   * where there is none. 0 leaves a mesh out. Meshes that share texels have the largest of theirs.
+   */
+  weights?: Weights<Mesh>;
+  /**
+   * Meshes that share a geometry each get one of their own, with texels of its own, as light maps
+   * need. Default: false, they go on sharing one, and true with a preset.
+   */
+  ownTexels?: boolean;
+  /** Whether meshes get their new geometries. Default: true. */
+  assign?: boolean;
+}
+
+/** What a mesh of the scene gets. */
+export interface UnwrappedMesh {
+  mesh: Mesh;
+  /** With the new coordinates. */
+  geometry: BufferGeometry;
+  /** The one that the mesh had, which may be disposed of if nothing else uses it. */
+  previous: BufferGeometry;
+  /** Its triangles in the arrays of the result, which are those that it draws, in order. */
+  firstTriangle: number;
+  triangleCount: number;
+  /** How much longer lengths are in the world, where its layout is sized: a mean over the surface. */
+  worldScale: number;
+}
+
+/**
+ * All visible meshes of an object and those below it in one atlas, at one texel density in world
+ * space. Meshes are apart even where they touch. Once everything has succeeded, meshes get new
+ * geometries, with what unwrapGeometry keeps; those that shared one go on sharing one unless
+ * `ownTexels` is set.
+ */
+export async function unwrapScene(
+  abflat: AnyAbflat<'unwrap'>,
+  object: Object3D,
+  settings: UnwrapSceneOptions = {},
+): Promise<{ result: UnwrapResult; meshes: UnwrappedMesh[] }> {
+  checkAbflat(abflat, 'unwrap');
+  const own = optionsOf(settings);
+  const { weights, assign = true, ownTexels = own.preset !== undefined, ...named } = own;
+  const { attribute = 'uv1', readAttribute = usualSource(own), ...others } = ownFields(named);
+  check(object, { ...named, weights, assign, ownTexels, attribute, readAttribute });
+  const options = withPreset(others);
+  const subjects = subjectsBelow(object, weights, ownTexels);
+  const { parts, ...mesh } = sceneMesh(subjects, readAttribute);
+  if (mesh.indices.length === 0)
+    throw new AbflatError(
+      'EmptyMesh',
+      'No visible mesh at or below the object has triangles to unwrap.',
+    );
+  const densities = densitiesFor(parts);
+  const result = await abflat.unwrap(neededFor(options, mesh), {
+    ...options,
+    ...(densities && { faceDensities: densities }),
+    transfer: true,
+  });
+  result.report.notes.unshift(...sharingNotes(subjects, ownTexels));
+  const meshes = parts.flatMap((part) => unwrappedOf(part, withPartOf(result, part, attribute)));
+  if (assign) for (const { mesh, geometry } of meshes) mesh.geometry = geometry;
+  return { result, meshes };
+}
+
+/** What is kept comes from the attribute that is written. */
+const usualSource = ({ fixedFaces, attribute = 'uv1' }: UnwrapSceneOptions) =>
+  fixedFaces === undefined ? 'uv' : attribute;
+
+function check(object: unknown, options: UnwrapSceneOptions): void {
+  const { weights, assign, ownTexels, attribute, readAttribute, fixedFaces } = ownFields(options);
+  const invalid = (message: string) => new AbflatError('InvalidOption', message);
+  if (!fieldOf(object, 'isObject3D'))
+    throw new AbflatError('InvalidMesh', 'unwrapScene needs an Object3D, such as a scene.');
+  checkString('attribute', attribute);
+  checkString('readAttribute', readAttribute);
+  checkBoolean('assign', assign);
+  checkBoolean('ownTexels', ownTexels);
+  checkWeights(weights);
+  if (fixedFaces !== undefined && fixedFaces !== 'uv')
+    throw invalid("fixedFaces must be 'uv' for a scene.");
+  const unknown = OF_ONE_GEOMETRY.find((name) => Object.hasOwn(options, name));
+  if (unknown) throw invalid(`unwrapScene does not take ${unknown}, which is for one geometry.`);
+}
+
+const OF_ONE_GEOMETRY = [
+  'seamEdges',
+  'fixedCharts',
+  'faceDensities',
+  'pins',
+  'known',
+  'keepsPlaces',
+] as const satisfies OfOneGeometry[];
+
+function unwrappedOf(part: ScenePart, geometry: BufferGeometry): UnwrappedMesh[] {
+  const { firstTriangle, triangleCount, worldScale, geometry: previous } = part;
+  return part.meshes.map((mesh) => ({
+    mesh,
+    geometry,
+    previous,
+    firstTriangle,
+    triangleCount,
+    worldScale,
+  }));
+}
