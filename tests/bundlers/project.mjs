@@ -20,6 +20,7 @@ const VERSIONS = {
   vite: '8.3.8',
   webpack: '5.112.2',
   'webpack-cli': '7.3.1',
+  workerd: '1.20261117.1',
 };
 export const FOLDER = join(ROOT, 'build/bundlers');
 

@@ -13,6 +13,7 @@ class MeshArrays:
         texcoords: Optional[np.ndarray],
         texcoord_of_corner: Optional[np.ndarray],
         material_of_face: Optional[np.ndarray],
+        object_of_vertex: Optional[np.ndarray],
     ) -> None: ...
 
 _Values = dict[str, Any]

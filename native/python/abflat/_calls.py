@@ -10,7 +10,7 @@ import numpy as np
 from . import _abflat
 from ._errors import AbflatError
 from ._generated import FLATTEN_OPTIONS, PACK_OPTIONS, UNWRAP_OPTIONS
-from ._layout import with_layout, with_materials
+from ._layout import with_layout, with_materials, with_objects
 from ._mesh import mesh_of
 from ._options import checked, present
 from ._results import FlattenResult, PackResult, UnwrapResult, fields_of
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Progress = Optional[Callable[[str, float], Any]]
 
 _UNWRAP_EXTRAS = ("uv", "uv_faces", "materials", "seams", "seam_edges", "pins", "face_densities")
-_UNWRAP_EXTRAS += ("precision", "progress")
+_UNWRAP_EXTRAS += ("vertex_objects", "precision", "progress")
 _FLATTEN_EXTRAS = ("pins", "bounds", "straight", "progress")
 _PACK_EXTRAS = ("uv_faces", "precision", "progress")
 
@@ -35,6 +35,7 @@ def unwrap(
     uv: Any = None,
     uv_faces: Any = None,
     materials: Any = None,
+    vertex_objects: Any = None,
     seams: Optional[str] = None,
     seam_edges: Any = None,
     pins: Any = None,
@@ -54,9 +55,11 @@ def unwrap(
 
     The seams ``"uv"`` and ``"material"`` need ``uv``, with a row per vertex or per texcoord if
     ``uv_faces`` has the texcoords of each face's corners, and ``materials``, one for each face.
+    Vertices with different ``vertex_objects``, one for each vertex, are apart even in one place.
     """
     values = checked("unwrap", options, UNWRAP_OPTIONS, _UNWRAP_EXTRAS)
     mesh = with_materials(with_layout(mesh_of(positions, faces), uv, uv_faces), materials)
+    mesh = with_objects(mesh, vertex_objects)
     extras = present(
         seams=seams,
         seam_edges=_rows("seam_edges", seam_edges, 2, len(mesh.positions)),

@@ -1,4 +1,4 @@
-"""What a mesh may have beside its faces: a layout, and materials."""
+"""What a mesh may have beside its faces: a layout, materials, and objects."""
 
 from __future__ import annotations
 
@@ -38,13 +38,25 @@ def with_materials(mesh: Mesh, materials: Any) -> Mesh:
     """Any values, one per face; faces with the same value have one material."""
     if materials is None:
         return mesh
-    names = np.asarray(materials)
-    if names.shape != (mesh.face_count(),):
-        message = f"materials have the shape {names.shape}; it must be ({mesh.face_count()},)"
-        raise _invalid(message)
+    return mesh._replace(material_of_face=_numbered("materials", materials, mesh.face_count()))
+
+
+def with_objects(mesh: Mesh, objects: Any) -> Mesh:
+    """Any values, one per vertex; vertices with the same value belong to one object."""
+    if objects is None:
+        return mesh
+    count = len(mesh.positions)
+    return mesh._replace(object_of_vertex=_numbered("vertex_objects", objects, count))
+
+
+def _numbered(what: str, values: Any, count: int) -> np.ndarray:
+    """Numbers from 0, in the order in which the values appear."""
+    names = np.asarray(values)
+    if names.shape != (count,):
+        raise _invalid(f"{what} have the shape {names.shape}; it must be ({count},)")
     _, first, number = np.unique(names, return_index=True, return_inverse=True)
     by_appearance = np.argsort(np.argsort(first))
-    return mesh._replace(material_of_face=by_appearance[number].astype(np.uint32))
+    return by_appearance[number].astype(np.uint32)
 
 
 def _invalid(message: str) -> AbflatError:

@@ -21,11 +21,12 @@ class Mesh(NamedTuple):
     texcoords: Optional[np.ndarray] = None
     texcoord_of_corner: Optional[np.ndarray] = None
     material_of_face: Optional[np.ndarray] = None
+    object_of_vertex: Optional[np.ndarray] = None
 
     @property
     def arrays(self) -> MeshArrays:
         # Only bare triangles are read where they are; a copy has 32 bits.
-        is_bare = self.texcoords is None and self.material_of_face is None
+        is_bare = all(each is None for each in self[3:])
         vertices = self.vertices if is_bare else narrow(self.vertices, len(self.positions))
         return MeshArrays(self.positions, vertices, *self[2:])
 

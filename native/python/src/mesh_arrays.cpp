@@ -63,6 +63,7 @@ PolygonMesh copyOf(const MeshArrays& arrays) {
   mesh.texcoords = listOf<double>(arrays.texcoords);
   mesh.faceTexcoords = listOf<std::uint32_t>(arrays.texcoordOfCorner);
   mesh.faceMaterials = listOf<std::uint32_t>(arrays.materialOfFace);
+  mesh.vertexObjects = listOf<std::uint32_t>(arrays.objectOfVertex);
   return mesh;
 }
 

@@ -14,11 +14,12 @@ struct MeshArrays {
   pybind11::array positions, vertices;
   pybind11::object offsets;
   pybind11::object texcoords, texcoordOfCorner;
-  pybind11::object materialOfFace;
+  pybind11::object materialOfFace, objectOfVertex;
 
   /// Triangles and nothing else.
   bool isBare() const {
-    return offsets.is_none() && texcoords.is_none() && materialOfFace.is_none();
+    return offsets.is_none() && texcoords.is_none() && materialOfFace.is_none() &&
+           objectOfVertex.is_none();
   }
 };
 

@@ -10,9 +10,11 @@ PYBIND11_MODULE(_abflat, m) {
   m.attr("__version__") = ABFLAT_VERSION;
   py::class_<MeshArrays>(m, "MeshArrays")
       .def(py::init([](py::array positions, py::array vertices, py::object offsets,
-                       py::object texcoords, py::object texcoordOfCorner, py::object materials) {
+                       py::object texcoords, py::object texcoordOfCorner, py::object materials,
+                       py::object objects) {
         return MeshArrays{std::move(positions), std::move(vertices),         std::move(offsets),
-                          std::move(texcoords), std::move(texcoordOfCorner), std::move(materials)};
+                          std::move(texcoords), std::move(texcoordOfCorner), std::move(materials),
+                          std::move(objects)};
       }));
   m.def("unwrap", abflat::python::unwrapArrays);
   m.def("flatten", abflat::python::flattenArrays);

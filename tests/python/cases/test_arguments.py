@@ -164,6 +164,7 @@ class Options(unittest.TestCase):
             ({"uv": uv[:7]}, "row 7 of uv; there are 7"),
             ({"uv": uv, "uv_faces": triangles[1:]}, "different numbers of corners"),
             ({"materials": [1, 2]}, r"materials have the shape \(2,\); it must be \(12,\)"),
+            ({"vertex_objects": [1]}, r"vertex_objects have the shape \(1,\); it must be \(8,\)"),
         ):
             with self.assertRaisesRegex(abflat.AbflatError, words) as caught:
                 abflat.unwrap(positions, triangles, **values)

@@ -90,6 +90,18 @@ class Unwrap(unittest.TestCase):
             self.assertEqual({frozenset(e) for e in result.seams.tolist()}, border)
             self.assertEqual(len(result.report["charts"]), 2)
 
+    def test_objects_are_apart_where_they_touch(self):
+        positions, triangles = hill()
+        scene = np.concatenate([positions, positions]), np.concatenate(
+            [triangles, triangles[:, ::-1] + len(positions)]
+        )
+        objects = np.repeat(["front", "back"], len(positions))
+        result = abflat.unwrap(*scene, vertex_objects=objects)
+        self.assertTrue(result.valid)
+        self.assertEqual(result.report["repair"]["mergedVertices"], 0)
+        front, back = np.split(result.chart_of_triangle, 2)
+        self.assertFalse(set(front) & set(back))
+
     def test_pins_hold_their_places(self):
         positions, triangles = hill()
         pins = [[0, 0.25, 0.25], [8, 0.75, 0.25]]
