@@ -21,6 +21,49 @@ import { runAbflat } from '../support/run-abflat.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { samplerOf, texturedCube, texturedGlb } from '../support/textured.mjs';
 
+/** A colour at each corner of the cube's sides. */
+const coloured = (cube, colour) => ({ ...cube, colors: cube.positions.map(colour) });
+
+test('colours of vertices become part of the image, with and without a texture', async (t) => {
+  const colour = ([x, y, z]) => [(2 + x) / 4, (3 - y) / 4, 0.5 + 0.2 * z];
+  const other = texturedCube(1);
+  other.positions = other.positions.map(([x, y, z]) => [x + 5, y, z]);
+  const cubes = [coloured(texturedCube(0), colour), other];
+  const wood = oneMaterial();
+  const plain = { pbrMetallicRoughness: { baseColorFactor: [0.5, 0.5, 1, 1] } };
+  for (const json of [
+    { ...wood, materials: [...wood.materials, plain] },
+    { materials: [{}, plain] },
+  ]) {
+    const before = texturedGlb(cubes, json);
+    const { bytes, report } = await unwrapped(t, before, '--bake-resolution', `${SIDE}`);
+    assert.deepEqual(
+      report.baking.maps.map(({ map }) => map),
+      ['baseColor'],
+    );
+    const [was, is] = [samplerOf(before), samplerOf(bytes)];
+    for (const { attributes } of is.json.meshes[0].primitives)
+      assert.equal(attributes.COLOR_0, undefined);
+    atRandomPoints(was.count, (triangle, weights) => {
+      const factor =
+        triangle < 12
+          ? [0, 1, 2].map((d) =>
+              cubes[0].triangles[triangle].reduce(
+                (sum, v, k) => sum + weights[k] * cubes[0].colors[v][d],
+                0,
+              ),
+            )
+          : [0.5, 0.5, 1];
+      const old = was.sample(COLOUR, triangle, weights, true) ?? [1, 1, 1];
+      is.sample(COLOUR, triangle, weights, true)
+        .slice(0, 3)
+        .forEach((x, d) => {
+          assert.ok(Math.abs(x - old[d] * factor[d]) < NEAR, `${x} is not ${old[d] * factor[d]}`);
+        });
+    });
+  }
+});
+
 test('materials with textures and factors of their own share an atlas', async (t) => {
   const other = texturedCube(1);
   other.positions = other.positions.map(([x, y, z]) => [x + 5, y, z]);
@@ -268,8 +311,7 @@ test('what else is in the file stays, and what nothing uses goes', async (t) => 
     [0, 0, 0],
     [1, 2, 3],
   ]);
-  const colors = elementsOf(gltf, json.meshes[0].primitives[0].attributes.COLOR_0);
-  assert.ok(colors.every((each) => each.join() === '0.5,0.25,1'));
+  assert.equal('COLOR_0' in json.meshes[0].primitives[0].attributes, false);
   // An extension that is not known may refer to anything.
   maker.json.extensionsUsed = ['KHR_animation_pointer'];
   const kept = await unwrapped(t, maker.glb(), '--bake-resolution', '64');

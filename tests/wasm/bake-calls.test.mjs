@@ -79,6 +79,18 @@ const REFUSED = [
     'InvalidMesh',
     /triangle 1 uses source 3, but there is only 1 source/,
   ],
+  [
+    'too few colours',
+    [{ ...SQUARE, colours: [1] }, layout, source],
+    'InvalidMesh',
+    /colours.*not 16/,
+  ],
+  [
+    'colours that are not finite',
+    [{ ...SQUARE, colours: Array(16).fill(Number.NaN) }, layout, source],
+    'InvalidMesh',
+    /triangle 0 has colours that are not finite/,
+  ],
   ['too few tangents', [{ ...SQUARE, tangents: [1] }, layout, source], 'InvalidMesh', /tangents/],
   ['too few parts', [{ ...SQUARE, parts: [1] }, layout, source], 'InvalidMesh', /parts.*not 2/],
   ['no source', [SQUARE, layout, []], 'InvalidOption', /at least one source/],

@@ -175,6 +175,21 @@ test('tangents are those of the old layout: they lead to the same pixels, and ar
   assert.deepEqual(look(document), look(native.document));
 });
 
+test('colours of vertices become part of the image, as with the program', async (t) => {
+  const cube = texturedCube();
+  cube.colors = cube.positions.map(([x, y, z]) => [(2 + x) / 4, (3 - y) / 4, 0.5 + 0.2 * z]);
+  for (const json of [oneTexture(fileOf(bumps)), { materials: [{}] }]) {
+    const glb = texturedGlb([cube], json);
+    const native = await baked(t, glb, 'unwrap', '--bake-resolution', '256');
+    const document = await io.readBinary(glb);
+    await document.transform(unwrap(abflat, { bake: { decode, bakeResolution: 256 } }));
+    assertSamePixels(document, native.document);
+    assert.deepEqual(look(document), look(native.document));
+    for (const primitive of primitivesOf(document))
+      assert.equal(primitive.getAttribute('COLOR_0'), null);
+  }
+});
+
 test('mirrored nodes have the pixels of the program', async (t) => {
   const glb = texturedGlb([texturedCube()], {
     materials: [{ normalTexture: { index: 0 } }],

@@ -162,7 +162,7 @@ async function fieldNames() {
   const ofMeshes = [...OF_ARRAYS, 'bytes', 'name'];
   const ofHelpers = ['attribute', 'texcoord', 'overwrite', 'groupBy', 'onAtlas', 'bake'];
   ofHelpers.push('readAttribute', 'readTexcoord', 'ownTexels', 'weights', 'assign', 'preset');
-  const ofBaking = ['tangents', 'parts', 'vertexMap', 'decode', 'encode'];
+  const ofBaking = ['colours', 'tangents', 'parts', 'vertexMap', 'decode', 'encode'];
   const others = [...ofMeshes, ...ofHelpers, ...ofBaking, 'vertex', 'uv', 'face', 'report'];
   return new Set([...listed.flat(), ...others]);
 }

@@ -8,6 +8,7 @@ export interface BakeModule {
   _abflatFreeJob(job: number): void;
   _abflatPositions(job: number, count: number): number;
   _abflatTexcoords(job: number, count: number): number;
+  _abflatColours(job: number, count: number): number;
   _abflatNormals(job: number, count: number): number;
   _abflatTangents(job: number, count: number): number;
   _abflatIndices(job: number, count: number): number;

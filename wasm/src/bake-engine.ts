@@ -39,10 +39,11 @@ export class BakeEngine extends Runner<BakeModule, Heap> {
     const { heap, native } = this;
     const arrays = [...Object.values(mesh), ...Object.values(layout), ...images];
     heap.checkBytes(8 * arrays.reduce((sum, array) => sum + (array?.length ?? 0), 0));
-    const { positions, texcoords, normals, tangents, indices, materials, parts } = mesh;
+    const { positions, texcoords, colours, normals, tangents, indices, materials, parts } = mesh;
     const { uv, vertexMap } = layout;
     heap.writeReals(native._abflatPositions(job, positions.length), positions);
     heap.writeReals(native._abflatTexcoords(job, texcoords.length), texcoords);
+    if (colours) heap.writeFloats(native._abflatColours(job, colours.length), colours);
     if (normals) heap.writeFloats(native._abflatNormals(job, normals.length), normals);
     if (tangents) heap.writeFloats(native._abflatTangents(job, tangents.length), tangents);
     heap.writeNumbers(native._abflatIndices(job, indices.length), indices);

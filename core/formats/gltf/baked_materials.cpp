@@ -55,14 +55,19 @@ class BakedMaterials {
       if (isNew) place->second = numberOf(materialOf(old));
       Json& primitive = json_["meshes"][part.mesh]["primitives"][part.primitive];
       primitive["material"] = place->second;
-      if (baked_.normal == kNoImage) continue;
-      primitive["attributes"].erase("TANGENT");
-      if (Json* const targets = primitive.find("targets"))
-        for (Json& target : targets->items()) target.erase("TANGENT");
+      if (baked_.baseColor != kNoImage) eraseAttribute(primitive, "COLOR_0");
+      if (baked_.normal != kNoImage) eraseAttribute(primitive, "TANGENT");
     }
   }
 
  private:
+  /// What the images now hold, or were made for.
+  static void eraseAttribute(Json& primitive, const char* name) {
+    primitive["attributes"].erase(name);
+    if (Json* const targets = primitive.find("targets"))
+      for (Json& target : targets->items()) target.erase(name);
+  }
+
   std::size_t addView(const std::string& bytes) {
     buffer_.resize((buffer_.size() + kImageAlignment - 1) / kImageAlignment * kImageAlignment);
     Json view = Json::object();

@@ -68,6 +68,7 @@ class LookReader {
     out_.images = textures_.takeImages();
     out_.corners = source_.faceVertices;
     readTexcoords();
+    readColours();
     readFrames();
     return std::move(out_);
   }
@@ -110,6 +111,24 @@ class LookReader {
         if (set.empty())
           set = attribute<double>("TEXCOORD_" + std::to_string(texture->texcoord), 2);
       }
+  }
+
+  void readColours() {
+    constexpr const char* kName = "COLOR_0";
+    for (const VertexGroup& group : source_.groups) {
+      const Primitive& primitive = primitiveOf(group.mesh, group.primitive);
+      const std::size_t components = has(primitive, kName, 4)   ? 4
+                                     : has(primitive, kName, 3) ? 3
+                                                                : 0;
+      if (components == 0) continue;
+      out_.colours.resize(4 * std::size_t{source_.vertexCount}, 1);
+      const std::vector<double> values =
+          numbersOf(document_, document_.accessors[accessorNamed(primitive.attributes, kName)]);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (std::isfinite(values[i]))
+          out_.colours[4 * (group.firstVertex + i / components) + i % components] =
+              static_cast<float>(std::clamp(values[i], 0.0, 1.0));
+    }
   }
 
   void readFrames() {

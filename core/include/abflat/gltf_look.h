@@ -53,6 +53,9 @@ struct GltfLook {
   /// By set that a texture uses, 2 numbers per vertex, v downwards; a set that no texture uses is
   /// empty, and a vertex without texcoords is at 0.
   std::vector<std::vector<double>> texcoords;
+  /// Per vertex, linear red, green, blue and alpha, which multiply the base colour; 1 where its
+  /// primitive has none. Empty if none has any.
+  std::vector<float> colours;
   // Per vertex, in the coordinates of its primitive; empty if there is no normal map.
   std::vector<double> positions;  ///< 3 numbers
   std::vector<float> normals;     ///< 3 numbers of any length; all 0 if there is none

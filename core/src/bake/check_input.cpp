@@ -38,6 +38,9 @@ Status checkTriangles(const BakeTriangles& triangles, std::size_t materials, Map
   for (std::size_t t = 0; t < count; ++t)
     if (triangles.materials[t] >= materials)
       return invalidMesh("triangle " + std::to_string(t) + " has a material that does not exist");
+  for (std::size_t i = 0; i < triangles.colours.size(); ++i)
+    if (!std::isfinite(triangles.colours[i]))
+      return invalidMesh("triangle " + std::to_string(i / 12) + " has colours that are not finite");
   for (const std::vector<double>* values : {&triangles.uv, &triangles.oldUv})
     for (std::size_t i = 0; i < values->size(); ++i)
       if (!std::isfinite((*values)[i]))

@@ -15,7 +15,7 @@ class MapsBaker {
       : old_(old),
         layout_(layout),
         options_(options),
-        plans_(planMaps(old.look.materials)),
+        plans_(planMaps(old.look.materials, !old.look.colours.empty())),
         corners_(old.look, layout) {}
 
   Result<BakedMaps> bakeAll() {
@@ -34,6 +34,8 @@ class MapsBaker {
     BakeInput input;
     input.triangles.uv = corners_.uv();
     input.triangles.oldUv = corners_.oldUv(plan.texture);
+    if (plan.texture == &GltfMaterial::baseColorTexture)
+      input.triangles.colours = corners_.colours();
     for (std::size_t f = 0; f < corners_.faces(); ++f)
       input.triangles.materials.push_back(static_cast<std::uint32_t>(corners_.materialOf(f)));
     for (std::size_t m = 0; m < old_.look.materials.size(); ++m) {
@@ -178,7 +180,9 @@ void noteOld(const OldLook& old, bool hasNone, BakingReport& report,
              std::vector<std::string>& notes) {
   report.materials = old.look.materials.size();
   report.images = old.images.count();
-  if (hasNone) notes.emplace_back("nothing was baked: no material of the mesh has a texture");
+  if (hasNone)
+    notes.emplace_back(
+        "nothing was baked: no material of the mesh has a texture, and no vertex has a colour");
   if (std::string note = depthNote(old.images.deep().size()); !note.empty())
     notes.push_back(std::move(note));
 }

@@ -23,6 +23,18 @@ Corners::Corners(const GltfLook& look, const NewLayout& layout)
   }
 }
 
+std::vector<float> Corners::colours() const {
+  std::vector<float> out;
+  if (look_.colours.empty()) return out;
+  out.reserve(4 * look_.corners.size());
+  for (std::size_t f = 0; f < faces(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float* const colour = &look_.colours[4 * std::size_t{frames_.vertex(f, k)}];
+      out.insert(out.end(), colour, colour + 4);
+    }
+  return out;
+}
+
 std::vector<double> Corners::oldUv(GltfTexture GltfMaterial::*texture) const {
   std::vector<double> out(2 * look_.corners.size());
   for (std::size_t f = 0; f < faces(); ++f) {

@@ -23,6 +23,8 @@ class Corners {
   const std::vector<double>& uv() const { return uv_; }
   /// Those that a texture of each material is at; 0 without one.
   std::vector<double> oldUv(GltfTexture GltfMaterial::*texture) const;
+  /// Of vertices, 4 linear numbers per corner; empty if none has any.
+  std::vector<float> colours() const;
   const FrameMesh& frames() const { return frames_; }
 
  private:

@@ -9,7 +9,7 @@ using Factor = std::array<double, 4>;
 
 template <class FactorOf>
 void addPlan(const std::vector<GltfMaterial>& materials, MapPlan plan, const FactorOf& factorOf,
-             std::vector<MapPlan>& out) {
+             std::vector<MapPlan>& out, bool isWanted = false) {
   for (const GltfMaterial& material : materials) plan.factors.push_back(factorOf(material));
   const bool hasTexture = std::any_of(
       materials.begin(), materials.end(),
@@ -17,12 +17,13 @@ void addPlan(const std::vector<GltfMaterial>& materials, MapPlan plan, const Fac
   const bool differs = std::any_of(plan.factors.begin(), plan.factors.end(),
                                    [&](const Factor& factor) { return factor != plan.factors[0]; });
   // Without a texture the scale of a normal map means nothing.
-  if (hasTexture || (differs && plan.kind == MapKind::Colour)) out.push_back(std::move(plan));
+  if (isWanted || hasTexture || (differs && plan.kind == MapKind::Colour))
+    out.push_back(std::move(plan));
 }
 
 }  // namespace
 
-MapPlans planMaps(const std::vector<GltfMaterial>& materials) {
+MapPlans planMaps(const std::vector<GltfMaterial>& materials, bool haveVerticesColours) {
   MapPlans out;
   bool hasAlpha = false;
   for (const GltfMaterial& material : materials) {
@@ -41,7 +42,7 @@ MapPlans planMaps(const std::vector<GltfMaterial>& materials) {
         if (m.alpha == GltfAlpha::Opaque) factor[3] = 1;
         return factor;
       },
-      out.plans);
+      out.plans, haveVerticesColours);
   addPlan(
       materials,
       {"metallicRoughness", colour, linear, 3, &GltfMaterial::metallicRoughnessTexture, kWhite, {}},

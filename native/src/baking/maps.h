@@ -27,12 +27,12 @@ struct MapPlan {
 };
 
 /// What maps the materials need: those that one of them has a texture for, or that are more than
-/// one number for all.
+/// one number for all, as the base colour is where vertices have colours.
 struct MapPlans {
   std::vector<MapPlan> plans;
   double emissiveStrength = 1;  ///< what the emissive map is to be multiplied by
 };
 
-MapPlans planMaps(const std::vector<GltfMaterial>& materials);
+MapPlans planMaps(const std::vector<GltfMaterial>& materials, bool haveVerticesColours);
 
 }  // namespace abflat::cli

@@ -25,6 +25,9 @@ EMSCRIPTEN_KEEPALIVE double* abflatPositions(BakeJob* job, std::size_t size) {
 EMSCRIPTEN_KEEPALIVE double* abflatTexcoords(BakeJob* job, std::size_t size) {
   return resized(job->texcoords, size);
 }
+EMSCRIPTEN_KEEPALIVE float* abflatColours(BakeJob* job, std::size_t size) {
+  return resized(job->colours, size);
+}
 EMSCRIPTEN_KEEPALIVE float* abflatNormals(BakeJob* job, std::size_t size) {
   return resized(job->normals, size);
 }

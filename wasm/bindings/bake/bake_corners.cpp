@@ -98,6 +98,11 @@ BakeTriangles trianglesOf(const BakeJob& job) {
     add(out.uv, job.uv, job.layoutIndices[c]);
     add(out.oldUv, job.texcoords, vertexAt(job, c));
   }
+  if (!job.colours.empty() && job.kind != ImageKind::Normal)
+    for (std::size_t c = 0; c < corners; ++c) {
+      const float* const colour = &job.colours[4 * std::size_t{vertexAt(job, c)}];
+      out.colours.insert(out.colours.end(), colour, colour + 4);
+    }
   out.materials = job.faceMaterials;
   out.materials.resize(corners / 3);
   return out;

@@ -20,6 +20,7 @@ struct BakeJob {
   // The mesh, as it is drawn with the old textures.
   std::vector<double> positions;             ///< 3 per vertex
   std::vector<double> texcoords;             ///< 2 per vertex
+  std::vector<float> colours;                ///< 4 per vertex; or empty
   std::vector<float> normals;                ///< 3 per vertex; or empty
   std::vector<float> tangents;               ///< 4 per vertex; or empty
   std::vector<std::uint32_t> indices;        ///< 3 per triangle

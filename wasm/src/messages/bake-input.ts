@@ -12,7 +12,7 @@ const invalidMesh = (message: string) => new AbflatError('InvalidMesh', message)
 export function takeBakeMesh(mesh: unknown): BakeArrays {
   if (tagOf(mesh) !== 'Object')
     throw invalidMesh('The mesh must be { positions, indices, texcoords }.');
-  const { tangents, parts } = fieldsOf(mesh, ['tangents', 'parts']);
+  const { colours, tangents, parts } = fieldsOf(mesh, ['colours', 'tangents', 'parts']);
   const given = ownFields(takeArrays(mesh, false, { take }).mesh);
   const { positions, indices, texcoords, normals, materials } = given;
   if (!texcoords)
@@ -20,9 +20,11 @@ export function takeBakeMesh(mesh: unknown): BakeArrays {
   const out: BakeArrays = { positions, indices, texcoords };
   if (normals) out.normals = normals;
   if (materials) out.materials = materials;
-  if (tangents !== undefined) {
-    out.tangents = new Float64Array(reals('tangents', tangents));
-    checkLength('tangents', out.tangents, (4 * positions.length) / 3, '4 per vertex');
+  for (const [name, values] of Object.entries({ colours, tangents })) {
+    if (values === undefined) continue;
+    const array = new Float64Array(reals(name, values));
+    checkLength(name, array, (4 * positions.length) / 3, '4 per vertex');
+    Object.assign(out, { [name]: array });
   }
   if (parts !== undefined) {
     out.parts = new Uint32Array(whole('parts', parts));

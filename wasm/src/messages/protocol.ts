@@ -106,6 +106,7 @@ export interface BakeArrays {
   positions: Reals;
   texcoords: Reals;
   normals?: Reals;
+  colours?: Reals;
   tangents?: Reals;
   indices: Whole;
   materials?: Whole;

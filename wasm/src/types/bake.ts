@@ -43,13 +43,18 @@ export interface BakeSource {
 }
 
 /**
- * The mesh that the layout was made of, with the texcoords that its images are for. Positions count
- * for normal maps alone, and so do these:
+ * The mesh that the layout was made of, with the texcoords that its images are for. Positions,
+ * normals, tangents and parts count for normal maps alone.
  */
 export interface BakeMesh
   extends Pick<MeshArrays, 'positions' | 'indices' | 'normals' | 'materials'> {
   /** The old ones, 2 per vertex, with v from the bottom. */
   texcoords: NonNullable<MeshArrays['texcoords']>;
+  /**
+   * Red, green, blue and alpha per vertex, as linear values from 0 to 1, which what images show is
+   * multiplied by. They do not count for normal maps. Default: 1.
+   */
+  colours?: MeshArrays['positions'];
   /**
    * Those that the old normal map is for, 4 per vertex as in glTF: a unit vector and the sign of the
    * bitangent. 0 in parts without any, which have those of MikkTSpace, as all have by default.

@@ -4,7 +4,7 @@ import type { Material } from '@gltf-transform/core';
 import { AbflatError, messageOf } from '../../base/errors.js';
 import type { AnyAbflat, BakedImage, BakeOptions, BakeSource } from '../../types/index.js';
 import type { EncodeImage } from './codecs.js';
-import { type AtlasCorners, meshFor } from './corners.js';
+import { type AtlasCorners, haveColours, meshFor } from './corners.js';
 import type { ImageFile } from './image-file.js';
 import { type MapPlan, planMaps } from './map-plans.js';
 import { lookOf, type MapName, type MaterialLook } from './material-look.js';
@@ -41,7 +41,7 @@ export async function bakeAtlas(
 ): Promise<NewLook> {
   const materials = [...new Set(corners.parts.map(({ primitive }) => primitive.getMaterial()))];
   const looks = materials.map(lookOf);
-  const { plans, emissiveStrength } = planMaps(looks);
+  const { plans, emissiveStrength } = planMaps(looks, haveColours(corners));
   const { oldImages, encode, onProgress, bakeResolution, ...common } = settings;
   const bakeMap = async (plan: MapPlan, side?: number): Promise<BakedImage> => {
     const mesh = meshFor(corners, plan.name, materials);

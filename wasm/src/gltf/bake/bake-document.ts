@@ -99,7 +99,8 @@ function depthNotes(count: number): string[] {
 
 /** What to know about the new look, one sentence each. */
 function notesOf(parts: DocumentPart[], { images }: NewLook, texcoord: number): string[] {
-  if (images.length === 0) return ['nothing was baked: no material of the mesh has a texture'];
+  if (images.length === 0)
+    return ['nothing was baked: no material of the mesh has a texture, and no vertex has a colour'];
   const notes: string[] = [];
   if (texcoord > 0)
     notes.push(

@@ -68,7 +68,8 @@ export function meshFor(
     texcoords,
     materials: perTriangle((primitive) => materials.indexOf(primitive.getMaterial())),
   };
-  if (map !== 'normal') return mesh;
+  const colours = map === 'baseColor' && haveColours({ parts });
+  if (map !== 'normal') return colours ? { ...mesh, colours: coloursAt(parts, rows) } : mesh;
   return {
     ...mesh,
     normals: gathered(parts, rows, 'NORMAL', 3),
@@ -78,6 +79,28 @@ export function meshFor(
     ),
     parts: perTriangle((_, i) => i),
   };
+}
+
+const COLOURS = 'COLOR_0';
+
+/** Whether a vertex has a colour of its own. */
+export const haveColours = ({ parts }: Pick<AtlasCorners, 'parts'>) =>
+  parts.some(({ primitive }) => primitive.getAttribute(COLOURS));
+
+/** 1 where there is none. */
+function coloursAt(parts: DocumentPart[], rows: Uint32Array[]): Float64Array {
+  const out: number[] = [];
+  for (const [i, { primitive }] of parts.entries()) {
+    const attribute = primitive.getAttribute(COLOURS);
+    for (const row of rows[i] as Uint32Array) {
+      const values = attribute?.getElement(row, [] as number[]) ?? [];
+      for (let d = 0; d < 4; ++d) {
+        const value = values[d] ?? 1;
+        out.push(Number.isFinite(value) ? Math.min(Math.max(value, 0), 1) : 1);
+      }
+    }
+  }
+  return Float64Array.from(out);
 }
 
 const gathered = (parts: DocumentPart[], rows: Uint32Array[], name: string, size: number) =>

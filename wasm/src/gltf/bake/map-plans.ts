@@ -25,14 +25,19 @@ const KINDS = {
   emissive: 'colour',
 } as const satisfies Record<MapName, MapPlan['kind']>;
 
-/** Those that one of the materials has a texture for, or that are more than one number for all. */
-export function planMaps(looks: readonly MaterialLook[]): MapPlans {
+/**
+ * Those that one of the materials has a texture for, or that are more than one number for all, as
+ * the base colour is where vertices have colours.
+ */
+export function planMaps(looks: readonly MaterialLook[], haveVerticesColours: boolean): MapPlans {
   const emissiveStrength = Math.max(1, ...looks.flatMap(({ emission }) => emission));
   const plans = MAPS.map((name) => {
     const factors = looks.map((look) => factorOf(name, look, emissiveStrength));
     return { name, kind: KINDS[name], factors };
   });
-  return { plans: plans.filter((plan) => isNeeded(plan, looks)), emissiveStrength };
+  const isWanted = (plan: MapPlan) =>
+    isNeeded(plan, looks) || (haveVerticesColours && plan.name === 'baseColor');
+  return { plans: plans.filter(isWanted), emissiveStrength };
 }
 
 function factorOf(name: MapName, look: MaterialLook, emissiveStrength: number): Factor {

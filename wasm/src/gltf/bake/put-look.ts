@@ -48,7 +48,8 @@ export function putLook(
   const dropped = new Set<Property>(look.materials.filter((material) => material !== null));
   for (const primitive of primitives) {
     primitive.setMaterial(replaced.get(primitive.getMaterial()) as Material);
-    if (holds(baked, 'normal')) dropTangents(primitive);
+    if (holds(baked, 'baseColor')) dropAttribute(primitive, 'COLOR_0');
+    if (holds(baked, 'normal')) dropAttribute(primitive, 'TANGENT');
   }
   dropUnused(dropped);
   return baked;
@@ -106,12 +107,13 @@ function isAlike(a: Material, b: Material): boolean {
   return a.equals(b, new Set(['name', ...(hasCutoff ? [] : ['alphaCutoff'])]));
 }
 
-function dropTangents(primitive: Primitive): void {
+/** What the images now hold, or were made for. */
+function dropAttribute(primitive: Primitive, name: string): void {
   for (const owner of [primitive, ...primitive.listTargets()]) {
-    const tangents = owner.getAttribute('TANGENT');
-    if (!tangents) continue;
-    owner.setAttribute('TANGENT', null);
-    if (!isUsed(tangents)) tangents.dispose();
+    const attribute = owner.getAttribute(name);
+    if (!attribute) continue;
+    owner.setAttribute(name, null);
+    if (!isUsed(attribute)) attribute.dispose();
   }
 }
 
