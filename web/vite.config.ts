@@ -6,6 +6,7 @@ import { namedMethods } from './scripts/named-methods.mjs';
 import { oneThreadScript } from './scripts/one-thread-script.mjs';
 import { optionTexts } from './scripts/option-texts.mjs';
 import { usedThree } from './scripts/used-three.mjs';
+import { withoutIndents } from './scripts/without-indents.mjs';
 import { MORE } from './src/model/more-names';
 
 /** Vite's own client, for development, has inline styles. */
@@ -32,6 +33,7 @@ export default defineConfig({
     optionTexts([...MORE, 'padding', 'margin', 'islandSizes']),
     usedThree(),
     namedMethods(),
+    withoutIndents(),
     afterBuild(headers),
   ],
   // With them the browser gives the page threads.
