@@ -160,14 +160,6 @@ const next = (config) => ({
   'app/server/route.js': `import { show } from '../../show.js';
     export const dynamic = 'force-dynamic';
     export const GET = async () => new Response(await show());`,
-  'app/edge/route.js': `import module from 'abflat/abflat-simd.wasm?module';
-    import { createAbflatSync } from 'abflat/sync';
-    export const runtime = 'edge';
-    export async function GET() {
-      const abflat = await createAbflatSync({ wasmUrl: module });
-      const { report } = abflat.unwrap(abflat.sample('head'));
-      return new Response(\`\${abflat.build}, valid: \${report.valid}\`);
-    }`,
 });
 
 /** Starts `next` as a server; returns its address. */
@@ -207,5 +199,4 @@ for (const [name, [args, config, answer]] of Object.entries(NEXT))
     assert.equal(await shown(address), `${BEST}, valid: true`);
     const response = await fetch(`${address}/server`);
     assert.match(await response.text(), answer);
-    assert.match(await (await fetch(`${address}/edge`)).text(), RUNS);
   });

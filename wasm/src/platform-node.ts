@@ -1,5 +1,5 @@
 import { pathToFileURL } from 'node:url';
-import { Worker, type WorkerOptions } from 'node:worker_threads';
+import { Worker } from 'node:worker_threads';
 import { AbflatError, messageOf } from './base/errors.js';
 import { KEEP, nodeFiles, pathOf } from './files-node.js';
 import { ownFields } from './messages/fields.js';
@@ -16,13 +16,22 @@ export const node: Platform = {
 
   startWorker(events, _name, address) {
     // The worker must not inherit the flags of the process; some, such as --input-type, would stop
-    // it. Bundlers only find a worker whose options are written beside it.
+    // it. Bundlers only find a worker whose options are written beside it, and webpack none that
+    // have no prototype, so what a script may have added to Object.prototype is set here.
     const worker =
       address === undefined
         ? new Worker(new URL('./worker-node.js', import.meta.url), {
-            __proto__: null,
             execArgv: [],
-          } as WorkerOptions)
+            argv: undefined,
+            env: undefined,
+            eval: false,
+            resourceLimits: undefined,
+            stderr: false,
+            stdin: false,
+            stdout: false,
+            transferList: undefined,
+            workerData: undefined,
+          })
         : new Worker(pathToFileURL(pathOf(address)), ownFields({ execArgv: [] }));
     worker.unref();
     worker.on('message', (message: FromWorker) => events.onMessage(message));
