@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { cubeAt } from '../support/baked-cubes.mjs';
 import {
   atRandomPoints,
   COLOUR,
@@ -26,9 +27,7 @@ const coloured = (cube, colour) => ({ ...cube, colors: cube.positions.map(colour
 
 test('colours of vertices become part of the image, with and without a texture', async (t) => {
   const colour = ([x, y, z]) => [(2 + x) / 4, (3 - y) / 4, 0.5 + 0.2 * z];
-  const other = texturedCube(1);
-  other.positions = other.positions.map(([x, y, z]) => [x + 5, y, z]);
-  const cubes = [coloured(texturedCube(0), colour), other];
+  const cubes = [coloured(cubeAt(0, 0), colour), cubeAt(1, 5)];
   const wood = oneMaterial();
   const plain = { pbrMetallicRoughness: { baseColorFactor: [0.5, 0.5, 1, 1] } };
   for (const json of [

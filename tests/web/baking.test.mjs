@@ -71,6 +71,18 @@ function assertLooksAlike({ views, contrast }, t) {
   assert.ok(contrast > 0.05, 'views differ by more than that from each other');
 }
 
+test('colours of vertices alone become an image', async (t) => {
+  const cube = texturedCube();
+  cube.colors = cube.positions.map(([x, y, z]) => [(2 + x) / 4, (3 - y) / 4, 0.5 + 0.2 * z]);
+  const page = await openPage(t, {
+    open: ['coloured.glb', texturedGlb([cube], { materials: [{}] })],
+  });
+  await toggle(page, '1,024\u202fpx');
+  const { document } = await baked(page);
+  assert.deepEqual(imagesOf(document), [['baseColor', 1024]]);
+  assert.equal(primitivesOf(document)[0].getAttribute('COLOR_0'), null);
+});
+
 test('after Unwrap the exported GLB has new images in the layout on screen, and looks as before', async (t) => {
   const compare = await rendersFor(t);
   const page = await openPage(t, { open: ['painted.glb', PAINTED] });

@@ -23,7 +23,7 @@ void addPlan(const std::vector<GltfMaterial>& materials, MapPlan plan, const Fac
 
 }  // namespace
 
-MapPlans planMaps(const std::vector<GltfMaterial>& materials, bool haveVerticesColours) {
+MapPlans planMaps(const std::vector<GltfMaterial>& materials, bool hasVertexColours) {
   MapPlans out;
   bool hasAlpha = false;
   for (const GltfMaterial& material : materials) {
@@ -42,7 +42,7 @@ MapPlans planMaps(const std::vector<GltfMaterial>& materials, bool haveVerticesC
         if (m.alpha == GltfAlpha::Opaque) factor[3] = 1;
         return factor;
       },
-      out.plans, haveVerticesColours);
+      out.plans, hasVertexColours);
   addPlan(
       materials,
       {"metallicRoughness", colour, linear, 3, &GltfMaterial::metallicRoughnessTexture, kWhite, {}},

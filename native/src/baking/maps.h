@@ -33,6 +33,6 @@ struct MapPlans {
   double emissiveStrength = 1;  ///< what the emissive map is to be multiplied by
 };
 
-MapPlans planMaps(const std::vector<GltfMaterial>& materials, bool haveVerticesColours);
+MapPlans planMaps(const std::vector<GltfMaterial>& materials, bool hasVertexColours);
 
 }  // namespace abflat::cli

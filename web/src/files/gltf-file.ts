@@ -76,7 +76,9 @@ function contentOf(name: string, document: Document, texcoord: number): Omit<Glt
     paintedSets: sampledTexcoords(primitives),
     parts: namedParts(document, mesh.parts),
     holds: contentsOf(document),
-    hasMaps: primitives.some((each) => hasMaps(each.getMaterial())),
+    isPainted: primitives.some(
+      (each) => hasMaps(each.getMaterial()) || each.getAttribute('COLOR_0') !== null,
+    ),
     compressions: [],
   };
 }

@@ -8,11 +8,11 @@ import { isAsInFile } from './settings';
 /** Of the new images, in texels. */
 export type ImageSide = number | 'auto';
 
-/** A result of a mesh with textures that has another layout than theirs. */
+/** A result of a mesh with textures, or colours of vertices, in another layout than theirs. */
 export type Bakeable = Unwrapped | Packed;
 
 export const isBakeable = (outcome: Outcome | null): outcome is Bakeable =>
-  Boolean(outcome?.gltf?.hasMaps || (outcome && hasObjImages(outcome.source))) &&
+  Boolean(outcome?.gltf?.isPainted || (outcome && hasObjImages(outcome.source))) &&
   outcome?.mode !== 'flatten' &&
   !(outcome?.mode === 'pack' && isAsInFile(outcome.settings));
 

@@ -64,8 +64,8 @@ export interface GltfFile {
   texcoordSets: number[];
   /** The sets that textures use. */
   paintedSets: number[];
-  /** Whether its materials have textures that can follow a new layout. */
-  hasMaps: boolean;
+  /** Whether its materials have textures, or its vertices colours, that can be baked. */
+  isPainted: boolean;
   /** Objects and materials. */
   parts: NamedParts;
   /** What it has that other formats would lose. */

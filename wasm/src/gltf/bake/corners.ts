@@ -68,8 +68,9 @@ export function meshFor(
     texcoords,
     materials: perTriangle((primitive) => materials.indexOf(primitive.getMaterial())),
   };
-  const colours = map === 'baseColor' && haveColours({ parts });
-  if (map !== 'normal') return colours ? { ...mesh, colours: coloursAt(parts, rows) } : mesh;
+  if (map === 'baseColor' && haveColours({ parts }))
+    return { ...mesh, colours: coloursAt(parts, rows) };
+  if (map !== 'normal') return mesh;
   return {
     ...mesh,
     normals: gathered(parts, rows, 'NORMAL', 3),
@@ -89,19 +90,25 @@ export const haveColours = ({ parts }: Pick<AtlasCorners, 'parts'>) =>
 
 /** 1 where there is none. */
 function coloursAt(parts: DocumentPart[], rows: Uint32Array[]): Float64Array {
-  const out: number[] = [];
+  const out = new Float64Array(4 * cornersIn(rows)).fill(1);
+  let at = 0;
   for (const [i, { primitive }] of parts.entries()) {
     const attribute = primitive.getAttribute(COLOURS);
     for (const row of rows[i] as Uint32Array) {
-      const values = attribute?.getElement(row, [] as number[]) ?? [];
-      for (let d = 0; d < 4; ++d) {
-        const value = values[d] ?? 1;
-        out.push(Number.isFinite(value) ? Math.min(Math.max(value, 0), 1) : 1);
-      }
+      if (attribute) putColour(attribute, row, out, at);
+      at += 4;
     }
   }
-  return Float64Array.from(out);
+  return out;
 }
+
+function putColour(attribute: Accessor, row: number, out: Float64Array, at: number): void {
+  const values = attribute.getElement(row, [] as number[]);
+  for (const [d, value] of values.entries())
+    if (Number.isFinite(value)) out[at + d] = Math.min(Math.max(value, 0), 1);
+}
+
+const cornersIn = (rows: Uint32Array[]) => rows.reduce((sum, { length }) => sum + length, 0);
 
 const gathered = (parts: DocumentPart[], rows: Uint32Array[], name: string, size: number) =>
   joinedRows(parts, rows, size, () => name);
@@ -113,8 +120,7 @@ function joinedRows(
   size: number,
   nameOf: (primitive: Primitive, part: number) => string | undefined,
 ): Float64Array {
-  const corners = rows.reduce((sum, { length }) => sum + length, 0);
-  const out = new Float64Array(size * corners);
+  const out = new Float64Array(size * cornersIn(rows));
   let at = 0;
   for (const [i, { primitive }] of parts.entries()) {
     const name = nameOf(primitive, i);

@@ -29,14 +29,14 @@ const KINDS = {
  * Those that one of the materials has a texture for, or that are more than one number for all, as
  * the base colour is where vertices have colours.
  */
-export function planMaps(looks: readonly MaterialLook[], haveVerticesColours: boolean): MapPlans {
+export function planMaps(looks: readonly MaterialLook[], hasVertexColours: boolean): MapPlans {
   const emissiveStrength = Math.max(1, ...looks.flatMap(({ emission }) => emission));
   const plans = MAPS.map((name) => {
     const factors = looks.map((look) => factorOf(name, look, emissiveStrength));
     return { name, kind: KINDS[name], factors };
   });
   const isWanted = (plan: MapPlan) =>
-    isNeeded(plan, looks) || (haveVerticesColours && plan.name === 'baseColor');
+    isNeeded(plan, looks) || (hasVertexColours && plan.name === 'baseColor');
   return { plans: plans.filter(isWanted), emissiveStrength };
 }
 
