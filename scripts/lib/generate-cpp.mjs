@@ -7,7 +7,7 @@ export const HEADER = `// Generated from core/schema by scripts/generate.mjs, do
 #pragma once
 `;
 
-const CPP_TYPES = { number: 'double', integer: 'int', boolean: 'bool' };
+const CPP_TYPES = { number: 'double', integer: 'int', size: 'AtlasSize', boolean: 'bool' };
 
 const cppType = (option) =>
   option.type === 'choice' ? pascalCase(option.name) : CPP_TYPES[option.type];
@@ -186,7 +186,7 @@ function infoRow(option) {
     literal(option.name),
     literal(flagOf(option)),
     literal(String(option.default)),
-    literal(rangeText(option)),
+    literal(rangeText(option, '2048x1024')),
     literal(option.default === true ? `do not ${fullText(option)}` : fullText(option)),
     String(option.type === 'boolean'),
     String(option.type === 'choice'),
@@ -220,8 +220,16 @@ function settingOf(option) {
  * Sets an option from the number that JavaScript passes for it: choices by index, words by value.
  */
 function setCase(option, index) {
+  if (option.type === 'size') return setSizeCase(option, index);
   const [isFine, fitting] = settingOf(option);
   return `    case ${index}:\n      if (!(${isFine})) return false;\n      options.${option.name} = ${fitting};\n      return true;`;
+}
+
+function setSizeCase({ name, atLeast, atMost, words }, index) {
+  const isWithin = `size.shorter() >= ${atLeast} && size.longer() <= ${atMost}`;
+  const isWord = Object.values(words ?? {}).map((value) => `(isWord && value == ${value})`);
+  const isFine = [`(${isWithin})`, ...isWord].join(' || ');
+  return `    case ${index}: {\n      const AtlasSize size = atlasSize(value, isWord);\n      if (!(${isFine})) return false;\n      options.${name} = size;\n      return true;\n    }`;
 }
 
 /** The number of a word or choice as written on a command line. */
@@ -230,10 +238,13 @@ function wordCases(option, index) {
     option.type === 'choice'
       ? option.choices.map(({ name }, i) => [name, i])
       : Object.entries(option.words ?? {});
-  return words.map(
+  const lines = words.map(
     ([word, value]) =>
       `  if (index == ${index} && text == ${literal(word)}) return found = true, ${value};`,
   );
+  if (option.type === 'size')
+    lines.push(`  if (index == ${index}) return atlasSizeValue(text, found);`);
+  return lines;
 }
 
 /** The value of a number with a unit letter, such as "3G", in the option's unit. */
@@ -306,6 +317,7 @@ export function renderOptions({ verb, text, options, shared }, base) {
   const parts = [
     HEADER,
     '#include <cmath>\n#include <limits>\n#include <string_view>\n',
+    ...(own.some(({ type }) => type === 'size') ? ['#include "abflat/atlas_size.h"'] : []),
     ...(base ? [`#include "abflat/generated/${base}_options.h"\n`] : []),
     'namespace abflat {\n',
     ...own.filter(({ type }) => type === 'choice').flatMap(choiceParts),

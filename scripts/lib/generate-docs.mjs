@@ -82,6 +82,9 @@ function valueText({ type, list, unit, fields, ...field }, types) {
   return `${text}${isNullable(field, 'cli') ? ' or null' : ''}${unit && !struct ? `, ${unit}` : ''}`;
 }
 
+/** How a width and a height are written, on a command line or in JavaScript. */
+const PAIR = '`2048x1024` or `[2048, 1024]`';
+
 function optionTable(options) {
   return table(
     ['Option', 'Command line', 'Default', 'Range', 'Meaning'],
@@ -89,7 +92,7 @@ function optionTable(options) {
       `\`${option.name}\``,
       isOptionOf(option, 'cli') ? `\`${flagOf(option)}\`` : '',
       `\`${option.default}\``,
-      rangeText(option),
+      rangeText(option, PAIR),
       fullText(option),
     ]),
   );

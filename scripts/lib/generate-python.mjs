@@ -21,7 +21,12 @@ class OptionInfo(NamedTuple):
     text: str
 `;
 
-const TYPES = { number: 'float', integer: 'int', boolean: 'bool' };
+const TYPES = {
+  number: 'float',
+  integer: 'int',
+  size: 'Union[int, tuple[int, int]]',
+  boolean: 'bool',
+};
 
 /** Python reads JSON's texts and numbers the same way. */
 const literal = (value) => {
@@ -42,7 +47,7 @@ const infoOf = (option) =>
   `    ${literal(snakeCase(option.name))}: OptionInfo(${[
     option.name,
     option.default,
-    rangeText(option),
+    rangeText(option, '(2048, 1024)'),
     fullText(option),
   ]
     .map(literal)

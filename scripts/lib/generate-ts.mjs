@@ -45,7 +45,10 @@ export const union = (names) => names.map((name) => literal(name)).join(' | ');
 
 function tsType(option) {
   if (option.type === 'choice') return pascalCase(option.name);
-  return [OPTION_TYPES[option.type], ...Object.keys(option.words ?? {}).map(literal)].join(' | ');
+  const pair = option.type === 'size' ? ['readonly [width: number, height: number]'] : [];
+  return [OPTION_TYPES[option.type], ...pair, ...Object.keys(option.words ?? {}).map(literal)].join(
+    ' | ',
+  );
 }
 
 /** What a caller may pass, checked by type against the row below it. */
@@ -55,7 +58,10 @@ function infoFields(option) {
   if (option.words) entries.push(`words: ${object(Object.entries(option.words))}`);
   if (option.choices)
     entries.push(`choices: [${option.choices.map(({ name }) => literal(name)).join(', ')}]`);
-  entries.push(`text: ${literal(fullText(option))}`, `range: ${literal(rangeText(option))}`);
+  entries.push(
+    `text: ${literal(fullText(option))}`,
+    `range: ${literal(rangeText(option, '[2048, 1024]'))}`,
+  );
   return `  ${option.name}: { ${entries.join(', ')} },`;
 }
 
@@ -70,11 +76,15 @@ function optionParts({ verb, text, options, shared }) {
   const types = options.map((option) => `  ${option.name}: ${tsType(option)};`);
   const values = options.map((option) => `  ${option.name}: ${literal(option.default)},`);
   const name = pascalCase(verb);
+  // Their defaults are squares.
+  const squares = options
+    .filter(({ type, default: value }) => type === 'size' && typeof value === 'number')
+    .map((option) => ` & { readonly ${option.name}: number }`);
   return [
     ...aliases,
     `/** ${text} */`,
     `export interface ${name}OptionValues {\n${types.join('\n')}\n}\n`,
-    `export const ${verb.toUpperCase()}_DEFAULTS: Readonly<${name}OptionValues> = {\n${values.join('\n')}\n};\n`,
+    `export const ${verb.toUpperCase()}_DEFAULTS: Readonly<${name}OptionValues>${squares.join('')} = {\n${values.join('\n')}\n};\n`,
     '/** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */',
     `export const ${verb.toUpperCase()}_OPTIONS = {\n${options.map(infoFields).join('\n')}\n} as const;\n`,
   ];

@@ -3,6 +3,7 @@
 export const OPTION_TYPES = {
   number: 'number',
   integer: 'number',
+  size: 'number',
   boolean: 'boolean',
   choice: 'string',
 };
@@ -138,7 +139,7 @@ function checkOption(option) {
   if (option.type === 'choice') return checkChoice(option);
   if ('unit' in option && !(option.unit in UNITS && jsType === 'number'))
     throw new Error(`option ${option.name}: unknown unit "${option.unit}"`);
-  if (option.type === 'integer' && !('atLeast' in option && 'atMost' in option))
+  if (['integer', 'size'].includes(option.type) && !('atLeast' in option && 'atMost' in option))
     throw new Error(`option ${option.name}: an integer needs "atLeast" and "atMost"`);
   const isWord = option.words && Object.hasOwn(option.words, option.default);
   if (typeof option.default !== jsType && !isWord)
@@ -157,12 +158,19 @@ function checkChoice(option) {
     throw new Error(`option ${option.name}: default is not one of its choices`);
 }
 
-/** "above 0 and at most 2, or auto" for people; empty without bounds. */
-export function rangeText(option) {
+/**
+ * "above 0 and at most 2, or auto" for people; empty without bounds. `pair`: how a width and a
+ * height are written.
+ */
+export function rangeText(option, pair) {
   if (option.type === 'choice') return option.choices.map(({ name }) => name).join(', ');
   const bounds = BOUNDS.filter((bound) => bound in option);
   const limits = bounds.map((bound) => `${BOUND_WORDS[bound]} ${option[bound]}`).join(' and ');
-  const parts = [limits, option.type === 'integer' && 'whole'].filter(Boolean).join(', ');
+  const isSize = option.type === 'size';
+  const whole = (isSize || option.type === 'integer') && 'whole';
+  const parts = [limits, whole, isSize && `or two of these, as in ${pair}`]
+    .filter(Boolean)
+    .join(', ');
   return [parts, ...Object.keys(option.words ?? {})].filter(Boolean).join(', or ');
 }
 

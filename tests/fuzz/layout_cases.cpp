@@ -70,7 +70,10 @@ void addLayout(PolygonMesh& mesh, RandomSource& random) {
 template <class Options>
 void showOptions(std::ostringstream& out, const Options& options) {
   forEachOption(options, [&](const char* name, const auto& value) {
-    out << "# " << name << " " << value << "\n";
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, AtlasSize>)
+      out << "# " << name << " " << value.width << "x" << value.height << "\n";
+    else
+      out << "# " << name << " " << value << "\n";
   });
 }
 

@@ -15,7 +15,8 @@ void randomOptions(Options& options, RandomSource& random) {
     const double value = random.flag()
                              ? random.below(8)
                              : random.pick({0.5, 0.968, 1.001, 1.02, 1.2, 1.5, 1.99, 2.5, 16.0,
-                                            64.0, 256.0, 1024.0, 1e-3, 1e-300, 1e6, 1e300});
+                                            64.0, 256.0, 1024.0, 1e-3, 1e-300, 1e6, 1e300,
+                                            256 + 64 * kHeightUnit, 100 + 700 * kHeightUnit});
     Options tried = options;
     if (setOption(tried, i, value)) options = tried;
   }

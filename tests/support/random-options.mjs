@@ -10,7 +10,8 @@ function randomValue(random, option) {
   const { name, type, words } = option;
   if (type === 'choice') return random.pick(option.choices).name;
   if (words && random.chance(0.3)) return Object.keys(words)[0];
-  if (name === 'resolution') return random.pick([16, 17, 64, 256, 1000, 2048]);
+  if (name === 'resolution')
+    return random.pick([16, 17, 64, 256, 1000, 2048, '300x64', '128x1024']);
   if (name === 'padding') return random.pick([0, 1, 2, 5, 16, 256]);
   if (name === 'threads') return random.below(4);
   const low = option.above ?? option.atLeast ?? 0;

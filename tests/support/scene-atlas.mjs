@@ -16,8 +16,12 @@ export function areaInSpace([a, b, c]) {
 const areaInAtlas = ([a, b, c]) =>
   ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
 
+/** `resolution`: the side of a square, or a width and a height. */
+const sidesOf = (resolution) => (Array.isArray(resolution) ? resolution : [resolution, resolution]);
+
 /** Per object, the texels per unit of length in the world; it may be mirrored as a whole. */
 export function densitiesOf(triangles, resolution) {
+  const [width, height] = sidesOf(resolution);
   const sums = new Map();
   for (const { object, places, uv } of triangles) {
     const [flat, solid] = sums.get(object) ?? [0, 0];
@@ -26,9 +30,39 @@ export function densitiesOf(triangles, resolution) {
   return new Map(
     [...sums].map(([object, [flat, solid]]) => [
       object,
-      resolution * Math.sqrt(Math.abs(flat) / solid),
+      Math.sqrt(width * height) * Math.sqrt(Math.abs(flat) / solid),
     ]),
   );
+}
+
+/**
+ * By how much squares on the surface become rectangles in texels: the ratio of the sides, as a mean
+ * over the surface. Triangles of a million times that count for nothing.
+ */
+export function meanShear(triangles, resolution) {
+  const sides = sidesOf(resolution);
+  let [sum, all] = [0, 0];
+  for (const { places, uv } of triangles) {
+    const area = areaInSpace(places);
+    const [a, b, c] = uv.map((point) => point.map((x, d) => x * sides[d]));
+    const flat = Math.abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    if (!(area > 0) || !(flat > 0)) continue;
+    // Cotangents give the integral of the squared gradient.
+    let energy = 0;
+    for (const k of [0, 1, 2]) {
+      const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+      const [p, q] = [minus(places[i], places[k]), minus(places[j], places[k])];
+      const dot = p.reduce((total, x, d) => total + x * q[d], 0);
+      const edge = minus([a, b, c][i], [a, b, c][j]);
+      energy += ((dot / (2 * area)) * (edge[0] ** 2 + edge[1] ** 2)) / 2;
+    }
+    const mean = Math.max(energy / (2 * flat), 1); // (ratio + 1 / ratio) / 2
+    const ratio = mean + Math.sqrt(mean ** 2 - 1);
+    if (!(ratio < 1e6)) continue;
+    sum += area * ratio;
+    all += area;
+  }
+  return sum / all;
 }
 
 /** The chart of each triangle: those with a texcoord in common are in one. */
@@ -65,31 +99,33 @@ function touches(triangle, x, y) {
 
 /** Calls `see(x, y)` for all texels that a triangle touches. */
 export function forTexels(uv, resolution, see) {
-  const inTexels = uv.map((point) => point.map((x) => x * resolution));
-  const last = (x) => Math.min(Math.floor(x), resolution - 1);
+  const sides = sidesOf(resolution);
+  const inTexels = uv.map((point) => point.map((x, d) => x * sides[d]));
+  const last = (x, d) => Math.min(Math.floor(x), sides[d] - 1);
   // A border belongs to the texels on both of its sides.
   const first = (x) => Math.max(0, Math.ceil(x) - 1);
   const [us, vs] = [0, 1].map((d) => inTexels.map((point) => point[d]));
-  for (let y = first(Math.min(...vs)); y <= last(Math.max(...vs)); ++y)
-    for (let x = first(Math.min(...us)); x <= last(Math.max(...us)); ++x)
+  for (let y = first(Math.min(...vs)); y <= last(Math.max(...vs), 1); ++y)
+    for (let x = first(Math.min(...us)); x <= last(Math.max(...us), 0); ++x)
       if (touches(inTexels, x, y)) see(x, y);
 }
 
 /** The fewest free texels between two charts, in the direction in which there are more; at most `most`. */
 export function leastGap(triangles, resolution, most) {
   const charts = chartsOf(triangles);
-  const owner = new Int32Array(resolution ** 2).fill(-1);
+  const [width, height] = sidesOf(resolution);
+  const owner = new Int32Array(width * height).fill(-1);
   let least = most;
   for (const [i, { uv }] of triangles.entries())
     forTexels(uv, resolution, (x, y) => {
-      const at = y * resolution + x;
+      const at = y * width + x;
       if (owner[at] >= 0 && owner[at] !== charts[i]) least = -1;
       owner[at] = charts[i];
     });
   const ownerAt = (x, y) =>
-    x >= 0 && y >= 0 && x < resolution && y < resolution ? owner[y * resolution + x] : -1;
-  for (let y = 0; y < resolution; ++y)
-    for (let x = 0; x < resolution; ++x) {
+    x >= 0 && y >= 0 && x < width && y < height ? owner[y * width + x] : -1;
+  for (let y = 0; y < height; ++y)
+    for (let x = 0; x < width; ++x) {
       const own = ownerAt(x, y);
       if (own < 0) continue;
       for (let dy = 0; dy <= least; ++dy)

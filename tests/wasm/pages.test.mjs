@@ -40,7 +40,7 @@ const onPages = (meshes, pages) =>
 for (const [pages, resolution] of [
   [1, 512],
   [4, 256],
-  [3, 256],
+  [3, [256, 128]],
 ])
   test(`30 meshes on ${pages} pages of ${resolution}: whole, apart, one density, filled alike`, async () => {
     const scene = yard();

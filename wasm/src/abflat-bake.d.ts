@@ -49,7 +49,8 @@ export interface BakeModule {
     alpha: number,
   ): void;
   _abflatBake(job: number): number;
-  _abflatSide(job: number): number;
+  _abflatWidth(job: number): number;
+  _abflatHeight(job: number): number;
   _abflatPixels(job: number): number;
   _abflatTextData(job: number): number;
   _abflatTextSize(job: number): number;

@@ -30,9 +30,10 @@ export class BakeEngine extends Runner<BakeModule, Heap> {
     this.#writeSources(job, request);
     const { native } = this;
     this.check(job, native._abflatBake(job));
-    const side = native._abflatSide(job);
-    const data = this.heap.copy(native._abflatPixels(job), 4 * side * side);
-    return { data: new Uint8ClampedArray(data), width: side, height: side };
+    const width = native._abflatWidth(job);
+    const height = native._abflatHeight(job);
+    const data = this.heap.copy(native._abflatPixels(job), 4 * width * height);
+    return { data: new Uint8ClampedArray(data), width, height };
   }
 
   #write(job: number, { mesh, layout, images }: BakeRequest): void {

@@ -1,6 +1,6 @@
 // Bakes textures into a layout that is there already.
 
-import { UNWRAP_DEFAULTS } from './base/generated.js';
+import { UNWRAP_DEFAULTS, type UnwrapOptionValues } from './base/generated.js';
 import type { BakeDocumentOptions } from './gltf/bake/bake-document.js';
 import type { BakedTexture } from './gltf/bake/put-look.js';
 import { type Baking, bakingOf } from './gltf/baking.js';
@@ -19,9 +19,9 @@ export interface BakeLayoutOptions extends BakeDocumentOptions {
   texcoord?: number | 'auto';
   /** Triangles that the layout has turned, as for `setTexcoords`. Default: none. */
   turnedFaces?: readonly number[];
-  /** Between the charts, in texels of an image with the side `resolution`. Default: as `unwrap` has it. */
+  /** Between the charts, in texels of an image of the size `resolution`. Default: as `unwrap` has it. */
   padding?: number;
-  resolution?: number;
+  resolution?: UnwrapOptionValues['resolution'];
   /** Called with the share that is done. */
   onProgress?: (fraction: number) => void;
   /** As for `unwrap`. */

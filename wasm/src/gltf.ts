@@ -204,7 +204,8 @@ function usualTexcoord(options: UnwrapDocumentOptions, readTexcoord: number) {
 
 function laidOf({ parts, result }: Pick<DocumentAtlas, 'parts' | 'result'>): LaidAtlas {
   const { repair, atlas } = result.report;
-  const { padding, resolution } = atlas;
+  const { padding, width, height } = atlas;
+  const resolution = [width, height] as const;
   return { parts, result, turnedFaces: repair.turnedFaces, padding, resolution };
 }
 

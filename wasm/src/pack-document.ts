@@ -90,7 +90,8 @@ export function pack(
 }
 
 function laidOf({ parts, result }: Pick<PackedDocumentAtlas, 'parts' | 'result'>): LaidAtlas {
-  const { padding, resolution } = result.report;
+  const { padding, width, height } = result.report;
+  const resolution = [width, height] as const;
   return { parts, result, padding, resolution };
 }
 

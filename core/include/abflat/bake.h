@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "abflat/atlas_size.h"
 #include "abflat/export.h"
 #include "abflat/generated/bake_report.h"
 #include "abflat/status.h"
@@ -103,14 +104,21 @@ using RowSink = std::function<bool(std::uint32_t firstRow, std::uint32_t rows,
 /// without area in the new layout are left out. Errors: InvalidMesh, InvalidOption, Aborted.
 ABFLAT_API Status bake(const BakeInput& input, const BakeOptions& options, const RowSink& sink);
 
-/// The side of a square image that has as many texels to the surface as the old textures have: the
-/// median over the new layout's area. 0 if no triangle with a texture has area in both layouts.
+/// The side of a square image (or of one with as many texels) that has as many texels to the
+/// surface as the old textures have: the median over the new layout's area. 0 if no triangle with a
+/// texture has area in both layouts.
 ABFLAT_API double bakeResolution(const BakeInput& input);
 
-/// The power of two that is nearest to it, as abflat chooses the side of a new image. Without a
-/// texture it is the side that the layout was packed for, or 1024 if `resolution` is 0. In any case
-/// it is at least 16 and at most 8192.
-ABFLAT_API int bakeSide(const BakeInput& input, int resolution);
+/// The size of a new image, as abflat chooses it. A number in `wanted` is the longer side of an
+/// image in the shape of `layout`, the resolution that the layout was packed for; 0 x 0 is unknown,
+/// or a square. If `wanted` is 0 x 0, the longer side is the power of two that is nearest to
+/// bakeResolution(); without a texture the size is that of the layout, or 1024. Sides that are not
+/// asked for are at least 16 and at most 8192.
+ABFLAT_API AtlasSize bakeSize(const BakeInput& input, const AtlasSize& wanted,
+                              const AtlasSize& layout);
+
+/// Padding in texels of the new image, where `padding` is in those of the layout, if it is known.
+ABFLAT_API std::uint32_t bakePadding(int padding, const AtlasSize& image, const AtlasSize& layout);
 
 /// The report of the program's bake as JSON.
 ABFLAT_API std::string bakeReportJson(const BakeReport& report);

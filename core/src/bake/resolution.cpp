@@ -14,6 +14,15 @@ double uvArea(const std::vector<double>& uv, std::size_t t) {
 
 constexpr int kLeastSide = 16, kUsualSide = 1024, kMostSide = 8192;
 
+/// With that longer side.
+AtlasSize inShape(const AtlasSize& shape, double longer) {
+  const auto side = [&](int own) {
+    const double texels = std::round(longer * own / shape.longer());
+    return static_cast<int>(std::clamp<double>(texels, kLeastSide, kMostSide));
+  };
+  return {side(shape.width), side(shape.height)};
+}
+
 }  // namespace
 
 double bakeResolution(const BakeInput& input) {
@@ -46,12 +55,19 @@ double bakeResolution(const BakeInput& input) {
   return 0;
 }
 
-int bakeSide(const BakeInput& input, int resolution) {
-  const double side = bakeResolution(input);
-  if (!(side > 0))
-    return resolution == 0 ? kUsualSide : std::clamp(resolution, kLeastSide, kMostSide);
-  const double nearest = std::exp2(std::round(std::log2(side)));
-  return static_cast<int>(std::clamp<double>(nearest, kLeastSide, kMostSide));
+AtlasSize bakeSize(const BakeInput& input, const AtlasSize& wanted, const AtlasSize& layout) {
+  const AtlasSize shape = layout == 0 ? AtlasSize(1) : layout;
+  if (wanted != 0) return wanted.isSquare() ? inShape(shape, wanted.width) : wanted;
+  const double side = bakeResolution(input) * (shape.longer() / shape.meanSide());
+  if (!(side > 0)) return inShape(shape, layout == 0 ? kUsualSide : layout.longer());
+  return inShape(shape, std::exp2(std::round(std::log2(side))));
+}
+
+std::uint32_t bakePadding(int padding, const AtlasSize& image, const AtlasSize& layout) {
+  if (layout == 0) return static_cast<std::uint32_t>(padding);
+  const double scale = std::max(static_cast<double>(image.width) / layout.width,
+                                static_cast<double>(image.height) / layout.height);
+  return static_cast<std::uint32_t>(std::ceil(padding * scale));
 }
 
 }  // namespace abflat

@@ -24,9 +24,9 @@ class AtlasPainter {
  public:
   AtlasPainter(const PolygonMesh& mesh, const UnwrapResult& result)
       : result_(result),
-        side_(result.report.atlas.resolution),
-        width_(side_ * tileColumns(result.report.atlas)),
-        height_(side_ * tileRows(result.report.atlas)),
+        tile_(result.report.atlas.width, result.report.atlas.height),
+        width_(tile_.width * tileColumns(result.report.atlas)),
+        height_(tile_.height * tileRows(result.report.atlas)),
         polygons_(atlasPolygons(mesh, result, Stacked::LeftOut)),
         edges_(atlasEdges(polygons_, result)) {}
 
@@ -56,7 +56,7 @@ class AtlasPainter {
   /// v points up, rows count down.
   Point at(std::uint32_t texcoord) const {
     const double* uv = &result_.uv[2 * static_cast<std::size_t>(texcoord)];
-    return {uv[0] * side_, height_ - uv[1] * side_};
+    return {uv[0] * tile_.width, height_ - uv[1] * tile_.height};
   }
 
   std::vector<Point> pointsOf(std::uint32_t polygon) const {
@@ -111,7 +111,8 @@ class AtlasPainter {
   }
 
   const UnwrapResult& result_;
-  int side_, width_, height_;
+  AtlasSize tile_;
+  int width_, height_;
   AtlasPolygons polygons_;
   AtlasEdges edges_;
 };
@@ -119,7 +120,8 @@ class AtlasPainter {
 Status checkSize(const UnwrapResult& result) {
   const AtlasReport& atlas = result.report.atlas;
   // Both are at most 2^16 texels times 900 rows.
-  if (atlas.resolution * std::max(tileColumns(atlas), tileRows(atlas)) <= kMostPictureTexels)
+  if (std::max(atlas.width * tileColumns(atlas), atlas.height * tileRows(atlas)) <=
+      kMostPictureTexels)
     return {};
   return {StatusCode::InvalidOption, "pictures have at most " + std::to_string(kMostPictureTexels) +
                                          " pixels along a side. Lower the resolution, or use "

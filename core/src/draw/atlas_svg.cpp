@@ -11,7 +11,7 @@
 namespace abflat {
 namespace {
 
-/// Units of the drawing along a side: coordinates are whole numbers.
+/// Units of the drawing along the longer side of a tile: coordinates are whole numbers.
 constexpr double kSide = 100000;
 
 using Trails = std::vector<std::vector<std::uint32_t>>;
@@ -42,14 +42,24 @@ std::vector<ChartTrails> trailsByChart(const PolygonMesh& mesh, const UnwrapResu
   return out;
 }
 
+/// Units of the drawing along u and v.
+struct Tile {
+  double width = kSide, height = kSide;
+};
+
+Tile tileOf(const AtlasReport& atlas) {
+  const double unit = kSide / std::max(atlas.width, atlas.height);
+  return {atlas.width * unit, atlas.height * unit};
+}
+
 /// `top`: the v of the upper border.
-std::string pathOf(const Trails& trails, const std::vector<double>& uv, int top) {
+std::string pathOf(const Trails& trails, const std::vector<double>& uv, const Tile& tile, int top) {
   SvgPath path;
   for (const std::vector<std::uint32_t>& trail : trails) {
     const bool isClosed = trail.size() > 2 && trail.front() == trail.back();
     for (std::size_t i = 0; i + (isClosed ? 1 : 0) < trail.size(); ++i) {
       const double* at = &uv[2 * static_cast<std::size_t>(trail[i])];
-      path.add(i == 0, at[0] * kSide, (top - at[1]) * kSide);
+      path.add(i == 0, at[0] * tile.width, (top - at[1]) * tile.height);
     }
     if (isClosed) path.close();
   }
@@ -63,21 +73,24 @@ std::string lengthText(double value) {
 }
 
 struct Size {
-  double side = 0;             ///< of a tile
-  const char* unit = "";       ///< of `side`
-  double thin = 0, thick = 0;  ///< lines, in units of the drawing
+  double width = 0, height = 0;  ///< of a tile
+  const char* unit = "";         ///< of these
+  double thin = 0, thick = 0;    ///< lines, in units of the drawing
 };
 
 Size sizeOf(const AtlasReport& atlas, double millimetres) {
   constexpr double kThinPixels = 0.5, kThickPixels = 2, kThinMm = 0.1, kThickMm = 0.4;
   if (!(millimetres > 0 && atlas.texelDensity > 0)) {
-    const double unit = kSide / atlas.resolution;
-    return {static_cast<double>(atlas.resolution), "", kThinPixels * unit, kThickPixels * unit};
+    const double unit = kSide / std::max(atlas.width, atlas.height);
+    return {static_cast<double>(atlas.width), static_cast<double>(atlas.height), "",
+            kThinPixels * unit, kThickPixels * unit};
   }
-  const double side = atlas.resolution / atlas.texelDensity * millimetres, unit = kSide / side;
+  const auto length = [&](int texels) { return texels / atlas.texelDensity * millimetres; };
+  const double unit = kSide / length(std::max(atlas.width, atlas.height));
   // Lines must not be wider than the charts where those are tiny.
   const double most = kSide / 100;
-  return {side, "mm", std::min(kThinMm * unit, most / 4), std::min(kThickMm * unit, most)};
+  return {length(atlas.width), length(atlas.height), "mm", std::min(kThinMm * unit, most / 4),
+          std::min(kThickMm * unit, most)};
 }
 
 }  // namespace
@@ -85,20 +98,21 @@ Size sizeOf(const AtlasReport& atlas, double millimetres) {
 std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double millimetres) {
   const AtlasReport& atlas = result.report.atlas;
   const Size size = sizeOf(atlas, millimetres);
+  const Tile tile = tileOf(atlas);
   const std::vector<ChartTrails> charts = trailsByChart(mesh, result);
   SvgWriter out;
   out.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
   out.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"width", lengthText(size.side * tileColumns(atlas)) + size.unit},
-                   {"height", lengthText(size.side * tileRows(atlas)) + size.unit},
-                   {"viewBox", "0 0 " + svgNumber(kSide * tileColumns(atlas)) + " " +
-                                   svgNumber(kSide * tileRows(atlas))},
+                   {"width", lengthText(size.width * tileColumns(atlas)) + size.unit},
+                   {"height", lengthText(size.height * tileRows(atlas)) + size.unit},
+                   {"viewBox", "0 0 " + svgNumber(tile.width * tileColumns(atlas)) + " " +
+                                   svgNumber(tile.height * tileRows(atlas))},
                    {"stroke", kInk},
                    {"stroke-linejoin", "round"},
                    {"stroke-linecap", "round"}});
   for (std::size_t i = 0; i < charts.size(); ++i) {
     if (result.report.charts[i].stackedOn >= 0) continue;
-    const std::string outline = pathOf(charts[i].outline, result.uv, tileRows(atlas));
+    const std::string outline = pathOf(charts[i].outline, result.uv, tile, tileRows(atlas));
     out.open("g", {{"id", "chart-" + std::to_string(i)}});
     out.add("path", {{"class", "area"},
                      {"d", outline},
@@ -106,7 +120,7 @@ std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& result, double
                      {"stroke", "none"}});
     if (!charts[i].inner.empty())
       out.add("path", {{"class", "edges"},
-                       {"d", pathOf(charts[i].inner, result.uv, tileRows(atlas))},
+                       {"d", pathOf(charts[i].inner, result.uv, tile, tileRows(atlas))},
                        {"fill", "none"},
                        {"stroke-width", size.thin}});
     out.add("path",

@@ -54,19 +54,19 @@ void countIslands(const MeshLayout& layout, PackReport& report) {
   }
 }
 
-/// Where nothing moves there are no placements.
-double stackScale(const Packing& packing, std::size_t stack) {
+/// Area in uv for an area of 1 in the stack's shape. Where nothing moves there are no placements.
+double stackGrowth(const Packing& packing, std::size_t stack) {
   if (stack >= packing.placements.size()) return packing.scale;
   const Placement& p = packing.placements[stack];
-  return std::hypot(p.a, p.b);
+  return (p.a * p.a + p.b * p.b) * p.aspect;
 }
 
-void measureScale(const MeshLayout& layout, const Packing& packing, PackReport& report) {
+void measureScale(const MeshLayout& layout, const Packing& packing,
+                  const PackLayoutOptions& options, PackReport& report) {
   double before = 0, now = 0, covered = 0, onSurface = 0;
   for (std::size_t s = 0; s < layout.stacks.size(); ++s) {
     const IslandStack& stack = layout.stacks[s];
-    const double length = stackScale(packing, s) * stack.factor;
-    const double growth = length * length;
+    const double growth = stackGrowth(packing, s) * stack.factor * stack.factor / stack.aspect;
     before += stack.uvArea;
     now += stack.uvArea * growth;
     covered += stack.coveredArea;
@@ -75,12 +75,15 @@ void measureScale(const MeshLayout& layout, const Packing& packing, PackReport& 
   report.scale = std::sqrt(areaRatio(now, before));
   report.utilizationBefore = covered / roomBefore(layout.stacks);
   report.utilization = packing.utilization;
-  report.texelDensity =
-      report.resolution * std::ldexp(std::sqrt(areaRatio(now, onSurface)), -layout.exponent);
+  report.texelDensity = options.resolution.meanSide() *
+                        std::ldexp(std::sqrt(areaRatio(now, onSurface)), -layout.exponent);
 }
 
-void addNotes(const PackLayoutOptions& options, PackReport& report) {
+void addNotes(const MeshLayout& layout, const PackLayoutOptions& options, PackReport& report) {
   if (options.keepPlaces) return;  // they tell what has changed
+  if (!options.resolution.isSquare() && options.islands.empty() && layout.stacks[0].aspect == 1)
+    report.notes.emplace_back(
+        "the layout was made for a square texture, as its angles show; islands keep their shapes");
   const auto note = [&](std::size_t n, const char* one, const char* many) {
     if (n > 0) report.notes.push_back(counted(n, one, many));
   };
@@ -120,14 +123,16 @@ std::vector<std::uint8_t> inMeshOrder(const MeshLayout& layout,
 std::vector<std::uint8_t> describeLayout(const MeshLayout& layout, const Packing& packing,
                                          const PlacedTexcoords& texcoords,
                                          const PackLayoutOptions& options, PackReport& report) {
-  report.resolution = options.resolution;
+  report.resolution = options.resolution.longer();
+  report.width = options.resolution.width;
+  report.height = options.resolution.height;
   report.padding = options.padding;
   report.margin = marginOf(options);
   report.tiles = static_cast<int>(packing.tiles);
   countIslands(layout, report);
-  measureScale(layout, packing, report);
+  measureScale(layout, packing, options, report);
   if (options.keepPlaces) report.utilization = report.utilizationBefore;
-  addNotes(options, report);
+  addNotes(layout, options, report);
   const PlacedTriangles placed = placedTriangles(layout, texcoords);
   const std::vector<std::uint8_t> faults = faultsOf(placed, packing.tiles);
   countFaults(placed, faults, report);

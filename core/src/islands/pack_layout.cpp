@@ -12,6 +12,7 @@
 #include "base/stopwatch.h"
 #include "islands/describe_layout.h"
 #include "islands/find_islands.h"
+#include "islands/old_aspect.h"
 #include "islands/pack_stacks.h"
 #include "islands/place_texcoords.h"
 #include "islands/read_layout.h"
@@ -33,6 +34,14 @@ Status holdOthers(const std::vector<std::uint32_t>& islands, MeshLayout& layout)
     layout.stacks[layout.stackOfIsland[island]].isFixed = false;
   }
   return {};
+}
+
+/// Where some stay, all were for this texture.
+void setAspects(const PolygonMesh& mesh, const PackLayoutOptions& options, MeshLayout& layout) {
+  const double aspect = options.resolution.aspect();
+  if (options.keepPlaces) return;
+  const double old = options.islands.empty() ? oldAspect(mesh, layout.triangles, aspect) : aspect;
+  for (IslandStack& stack : layout.stacks) stack.aspect = stack.isFixed ? 1 : old;
 }
 
 Status noTexcoords() {
@@ -89,6 +98,7 @@ Result<PackLayoutResult> packIslands(const PolygonMesh& mesh, const PackLayoutOp
   MeshLayout layout = readLayout(mesh, std::move(islands), byMaterial, packing);
   if (packing.isStopped()) return cancelled();
   if (Status s = holdOthers(options.islands, layout); !s.ok()) return s;
+  setAspects(mesh, options, layout);
   ThreadPool pool(usefulThreads(options.threads, layout.triangles.face.size()));
   out.report.threads = pool.threads();
   const Result<Packing> packed = placesOf(layout, options, pool, packing.part(0.3, 1));

@@ -106,7 +106,7 @@ Result<Packing> packStacks(MeshLayout& layout, const PackLayoutOptions& options,
   how.unit = std::ldexp(1.0, layout.exponent);
   how.pool = &pool;
   how.fixedMayLeave = true;
-  if (!options.islands.empty()) how.mostDensity = options.resolution / factor / how.unit;
+  if (!options.islands.empty()) how.mostDensity = options.resolution.width / factor / how.unit;
   const StacksByTile byTile = stacksByTile(layout.stacks, options.tileOfIsland);
   TilePacker packer(layout, how);
   double done = 0;

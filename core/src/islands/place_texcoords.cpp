@@ -13,8 +13,7 @@ namespace abflat {
 namespace {
 
 std::array<double, 2> placed(const IslandStack& stack, const Placement& p, const double* uv) {
-  const double around[] = {(uv[0] - stack.middle(0)) * stack.factor,
-                           (uv[1] - stack.middle(1)) * stack.factor};
+  const double around[] = {stack.placed(uv[0], 0), stack.placed(uv[1], 1)};
   return {p.u(around) + p.column(), p.v(around) + p.row()};
 }
 

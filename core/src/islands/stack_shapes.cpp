@@ -67,11 +67,11 @@ double setFactors(IslandSizes sizes, std::vector<IslandStack>& stacks) {
   double onSurface = 0, inUv = 0;
   for (const IslandStack& stack : stacks) {
     onSurface += stack.surfaceArea;
-    inUv += stack.uvArea;
+    inUv += stack.uvArea / stack.aspect;
   }
   const double mean = areaRatio(onSurface, inUv);
   for (IslandStack& stack : stacks) {
-    const double own = areaRatio(stack.surfaceArea, stack.uvArea);
+    const double own = areaRatio(stack.surfaceArea, stack.uvArea / stack.aspect);
     const bool isEven = sizes == IslandSizes::Even && own > 0;
     const double area = isEven ? own : mean;
     stack.factor = area > 0 && !stack.isFixed ? std::sqrt(area) : 1;
@@ -91,9 +91,9 @@ PackShape shapeOf(const IslandStack& stack, const IslandTriangles& triangles) {
   out.isPosed = true;
   out.isFixed = stack.isFixed;
   const auto placed = [&](double x, std::size_t d) {
-    return stack.isFixed ? x : (x - stack.middle(d)) * stack.factor;
+    return stack.isFixed ? x : stack.placed(x, d);
   };
-  out.coveredArea = stack.coveredArea * stack.factor * stack.factor;
+  out.coveredArea = stack.coveredArea * stack.factor * stack.factor / stack.aspect;
   out.triangles.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     const auto& p = points[order[k]];

@@ -16,10 +16,15 @@ struct IslandStack {
   double coveredArea = 0;  ///< in uv; what is covered more than once counts once
   double uvArea = 0;       ///< of all triangles
   double surfaceArea = 0;  ///< in 3D
-  double factor = 1;       ///< length in its shape per length in uv
+  double factor = 1;       ///< length in its shape per length along u
+  double aspect = 1;       ///< of the texture that it was for; see AtlasSize
   bool isFixed = false;    ///< it stays where it is
 
   double middle(std::size_t axis) const { return (box.low[axis] + box.high[axis]) / 2; }
+  /// Where uv are in its shape.
+  double placed(double x, std::size_t axis) const {
+    return (x - middle(axis)) * factor / (axis == 1 ? aspect : 1);
+  }
 };
 
 /// The stacks, in an order that follows from the layout alone. `first`: per island, the first one

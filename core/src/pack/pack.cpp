@@ -60,20 +60,21 @@ std::string choiceOf(const std::vector<std::string>& ways) {
 }
 
 Status checkOptions(const PackOptions& o) {
-  if (o.resolution < 1 || o.resolution > kMostResolution)
-    return invalid("the resolution is " + text(o.resolution) + "; it must be from 1 to " +
+  if (o.resolution.shorter() < 1 || o.resolution.longer() > kMostResolution)
+    return invalid("the resolution is " + atlasSizeText(o.resolution) + "; it must be from 1 to " +
                    text(kMostResolution) + " texels");
   if (o.padding < 0) return invalid("the padding is " + text(o.padding) + "; it must be 0 or more");
   if (o.margin < 0 && o.margin != kAutoMargin)
     return invalid("the margin is " + text(o.margin) + "; it must be 0 or more");
   const auto noRoom = [&](const std::string& what, int texels) {
     return invalid("a " + what + " of " + text(texels) + " texels leaves no room in a tile of " +
-                   text(o.resolution) + ". Lower the " + what + " or raise the resolution");
+                   atlasSizeText(o.resolution) + ". Lower the " + what +
+                   " or raise the resolution");
   };
   const bool isAuto = o.margin == kAutoMargin;
-  if (o.padding >= o.resolution || (isAuto && 2 * marginOf(o) >= o.resolution))
-    return noRoom("padding", o.padding);
-  if (2 * marginOf(o) >= o.resolution) return noRoom("margin", o.margin);
+  const int side = o.resolution.shorter();
+  if (o.padding >= side || (isAuto && 2 * marginOf(o) >= side)) return noRoom("padding", o.padding);
+  if (2 * marginOf(o) >= side) return noRoom("margin", o.margin);
   if (!(o.texelDensity >= 0) || !std::isfinite(o.texelDensity))
     return invalid("the texel density must be a finite number, 0 or above");
   return {};
@@ -89,10 +90,24 @@ Status checkShapes(const std::vector<PackShape>& shapes) {
   return {};
 }
 
-/// Side of the smallest tile that holds that many single texels with their padding and margin.
-int leastResolution(std::size_t count, const PackOptions& options) {
-  const int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
-  return side + (side - 1) * options.padding + 2 * marginOf(options);
+/// A size of about the same shape.
+AtlasSize withWidth(double width, const AtlasSize& size) {
+  return {static_cast<int>(std::ceil(width)),
+          static_cast<int>(std::ceil(width * (1 / size.aspect())))};
+}
+
+/// The smallest tile of that shape that holds so many single texels with their padding and margin;
+/// one that is too large if there is none.
+AtlasSize leastResolution(std::size_t count, const PackOptions& options) {
+  const auto texels = [&](int side) {
+    const int inside = side - 2 * marginOf(options) + options.padding;
+    return static_cast<double>(std::max(inside / (options.padding + 1), 0));
+  };
+  for (int width = 1;; ++width) {
+    const AtlasSize size = withWidth(width, options.resolution);
+    const bool isEnough = texels(size.width) * texels(size.height) >= static_cast<double>(count);
+    if (isEnough || size.longer() > kMostResolution) return size;
+  }
 }
 
 LevelPose poseOf(const PackShape& shape, const Loops& loops, const std::vector<PlanePoint>& hull) {
@@ -205,7 +220,7 @@ class Packer {
     double texels = 0;
     for (const PackItem& item : items_)
       texels += item.mass.area * scaleOf(options_.texelDensity) * scaleOf(options_.texelDensity);
-    const double tiles = texels / options_.resolution / options_.resolution;
+    const double tiles = texels / options_.resolution.width / options_.resolution.height;
     const auto count = static_cast<double>(items_.size());
     return static_cast<std::size_t>(std::ceil(count / std::max(tiles, 1.0)));
   }
@@ -231,8 +246,8 @@ class Packer {
       return placeInOneTile();
     }
     return tooSmall(text(movable_.size()) + " charts of one texel each, with a padding of " +
-                    text(options_.padding) + ", do not fit a tile of " + text(options_.resolution) +
-                    waysForTexels());
+                    text(options_.padding) + ", do not fit a tile of " +
+                    atlasSizeText(options_.resolution) + waysForTexels());
   }
 
   void search() {
@@ -246,11 +261,12 @@ class Packer {
   }
 
   std::string waysForTexels() const {
-    const int least = leastResolution(movable_.size(), options_);
-    if (options_.resolution >= least) return " beside the fixed ones. Raise the resolution";
+    const AtlasSize least = leastResolution(movable_.size(), options_);
+    if (options_.resolution.width >= least.width)
+      return " beside the fixed ones. Raise the resolution";
     std::vector<std::string> ways;
-    if (least <= kMostResolution)
-      ways.push_back("raise the resolution to " + text(least) + " or more");
+    if (least.longer() <= kMostResolution)
+      ways.push_back("raise the resolution to " + atlasSizeText(least) + " or more");
     if (options_.padding > 0) ways.push_back("lower the padding");
     if (options_.margin > 0) ways.push_back("lower the margin");
     return choiceOf(ways);
@@ -280,30 +296,31 @@ class Packer {
   }
 
   Status largestIsTooLarge() const {
-    const double most = sideForAll(items_);
     const int around = std::max(options_.padding, 2 * options_.margin);
-    const double room = std::max(options_.resolution - around, 1);
+    const double width = std::max(options_.resolution.width - around, 1);
+    const double most =
+        scaleForAll(items_, width, std::max(options_.resolution.height - around, 1));
     return doesNotFit("chart " + text(movable_[placed_.missing]) + " does not fit a tile",
-                      most * density_ + around, densityOf(room / most));
+                      density_ / most * width + around, densityOf(most));
   }
 
   Status doesNotFitOneTile() {
     const double wanted = density_;
     if (Status s = placeInOneTile(); !s.ok()) return s;
-    return doesNotFit("the charts do not fit one tile", options_.resolution * (wanted / density_),
-                      densityOf(density_));
+    return doesNotFit("the charts do not fit one tile",
+                      options_.resolution.width * (wanted / density_), densityOf(density_));
   }
 
-  /// Says what has been tried and what does fit; `side` and `density` refer to the latter.
-  Status doesNotFit(const std::string& what, double side, double density) const {
+  /// Says what has been tried and what does fit; `width` and `density` refer to the latter.
+  Status doesNotFit(const std::string& what, double width, double density) const {
     const double coarser = densityThatFits(density);
     if (coarser == 0) return {StatusCode::Aborted, "cancelled"};
-    const int finer = resolutionThatFits(side);
+    const AtlasSize finer = resolutionThatFits(width);
     std::vector<std::string> ways = {"lower the density to " + text(coarser)};
-    if (finer > 0) ways.push_back("raise the resolution to " + text(finer));
+    if (finer.width > 0) ways.push_back("raise the resolution to " + atlasSizeText(finer));
     if (!options_.udim) ways.emplace_back("allow several tiles");
     return tooSmall("at " + text(options_.texelDensity) + " texels per unit " + what + " of " +
-                    text(options_.resolution) + " texels" + choiceOf(ways));
+                    atlasSizeText(options_.resolution) + " texels" + choiceOf(ways));
   }
 
   /// The first density from this one down that fits; 0 if cancelled.
@@ -317,17 +334,16 @@ class Packer {
     }
   }
 
-  /// The first resolution from this one up that fits; 0 if there is none, or if cancelled.
-  int resolutionThatFits(double from) const {
+  /// The first resolution from this width up that fits; 0 if there is none, or if cancelled.
+  AtlasSize resolutionThatFits(double width) const {
     PackOptions finer = options_;
-    double side = from;
-    while (side <= kMostResolution) {
-      finer.resolution = static_cast<int>(std::ceil(side));
+    for (; width <= kMostResolution; width *= 1.02) {
+      finer.resolution = withWidth(width, options_.resolution);
+      if (finer.resolution.longer() > kMostResolution) break;
       const Fit fit = fitOf(finer);
-      if (fit != Fit::TooMany) return fit == Fit::All ? finer.resolution : 0;
-      side *= 1.02;
+      if (fit != Fit::TooMany) return fit == Fit::All ? finer.resolution : AtlasSize();
     }
-    return 0;
+    return {};
   }
 
   Fit fitOf(const PackOptions& options) const {
@@ -340,11 +356,11 @@ class Packer {
 
   Packing placements() const {
     Packing out;
-    const double side = options_.resolution;
+    const double width = options_.resolution.width, aspect = options_.resolution.aspect();
     out.tiles = std::max(placed_.tiles, static_cast<std::uint32_t>(taken_.size()));
     out.tries = tries_;
     out.texelDensity = options_.texelDensity > 0 ? options_.texelDensity : densityOf(density_);
-    out.scale = density_ / side;
+    out.scale = density_ / width;
     out.placements.resize(fixedTile_.size());
     double area = 0;
     for (const auto& [i, shape] : fixed_) {
@@ -357,11 +373,16 @@ class Packer {
     for (std::size_t k = 0; k < items_.size(); ++k) {
       const Spot& spot = placed_.spots[k];
       Placement& p = out.placements[movable_[k]];
-      area += items_[k].mass.area * out.scale * out.scale;
+      area += items_[k].mass.area * out.scale * out.scale * aspect;
       if (items_[k].loops.points.empty()) continue;
       const Pose pose = items_[k].poses[spot.pose];
       const PlanePoint origin = texelOrigin(grid_, pose, density_, spot.cell.x, spot.cell.y);
-      p = {out.scale * pose.cos, out.scale * pose.sin, origin.x / side, origin.y / side, spot.tile};
+      p = {out.scale * pose.cos,
+           out.scale * pose.sin,
+           origin.x / width,
+           origin.y / width,
+           spot.tile,
+           aspect};
     }
     out.utilization = area / out.tiles;
     return out;

@@ -28,7 +28,7 @@ struct PackShape {
 };
 
 struct PackOptions {
-  int resolution = 1024;         ///< texels along a side of the square tile
+  AtlasSize resolution = 1024;   ///< of a tile
   int padding = 2;               ///< free texels between charts
   int margin = kAutoMargin;      ///< free texels to the edge of the tile; see marginOf
   Rotate rotate = Rotate::Auto;  ///< beyond the pose in which a chart lies level and upright
@@ -65,22 +65,23 @@ PackOptions packOptionsOf(const Options& options) {
   return out;
 }
 
-/// Where a chart goes: (u, v) -> (a u - b v + x, b u + a v + y), inside the unit square of its
-/// tile. a and b are the scale times cosine and sine.
+/// Where a chart goes: (u, v) -> (a u - b v + x, aspect (b u + a v + y)), inside the unit square of
+/// its tile. a and b are the scale times cosine and sine.
 struct Placement {
   double a = 1, b = 0;
   double x = 0, y = 0;
   std::uint32_t tile = 0;
+  double aspect = 1;  ///< of the tile; see AtlasSize
 
   double u(const double* uv) const { return a * uv[0] - b * uv[1] + x; }
-  double v(const double* uv) const { return b * uv[0] + a * uv[1] + y; }
+  double v(const double* uv) const { return (b * uv[0] + a * uv[1] + y) * aspect; }
   /// Position of the tile in the plane of all tiles: rows of ten, as in UDIM 1001 + tile.
   double column() const { return tile % 10; }
   double row() const { return (tile - tile % 10) / 10.0; }
 };
 
 struct Packing {
-  double scale = 1;  ///< of all charts that are not fixed: uv per unit length
+  double scale = 1;  ///< of all charts that are not fixed: tile widths per unit length
   std::vector<Placement> placements;
   std::uint32_t tiles = 1;
   double utilization = 0;   ///< area of all charts over that of all tiles

@@ -13,7 +13,7 @@ constexpr double kSlackShare = 0x1p-20;
 /// Left and lower margin of a shape in its first cell, in slacks. There is another one at the top.
 constexpr double kMargin = 2;
 
-int divideUp(int a, int b) { return (a + b - 1) / b; }
+int divideUp(double a, int b) { return static_cast<int>(std::ceil(a / b)); }
 
 }  // namespace
 
@@ -21,17 +21,19 @@ PackGrid makePackGrid(const PackOptions& options, std::size_t shapes) {
   constexpr double kCellsOfShape = 64;
   constexpr double kLeastCellsOfShape = 8;
   constexpr int kMostCells = 2048, kLeastCells = 512;
-  const int resolution = options.resolution;
+  constexpr int kLeastRows = 16;  // of cells along the shorter side
+  const double resolution = options.resolution.meanSide();
   PackGrid grid;
-  grid.resolution = resolution;
+  grid.resolution = options.resolution;
   grid.padding = options.padding;
   grid.margin = marginOf(options);
-  grid.slack = resolution * kSlackShare;
+  grid.slack = options.resolution.longer() * kSlackShare;
   const double side = resolution / std::sqrt(static_cast<double>(std::max<std::size_t>(shapes, 1)));
   const int cell = std::clamp(static_cast<int>(side / kCellsOfShape),
                               divideUp(resolution, kMostCells), divideUp(resolution, kLeastCells));
-  const int most =
-      std::min(static_cast<int>(side / kLeastCellsOfShape), resolution - 2 * grid.margin);
+  const int shorter = options.resolution.shorter();
+  const int most = std::min({static_cast<int>(side / kLeastCellsOfShape), shorter / kLeastRows,
+                             shorter - 2 * grid.margin});
   grid.cell = std::max(std::min(cell, most), 1);
   return grid;
 }
@@ -87,9 +89,9 @@ const BitGrid& PackRaster::takenInTile(const Loops& loops, double originX, doubl
   moved_.isGroup = loops.isGroup;
   moved_.points.clear();
   for (const PlanePoint& p : loops.points)
-    moved_.points.push_back({((p.x - originX) * grid_.resolution - grid_.margin) / cell,
-                             ((p.y - originY) * grid_.resolution - grid_.margin) / cell});
-  bits_.reset(grid_.cells(), grid_.cells());
+    moved_.points.push_back({((p.x - originX) * grid_.resolution.width - grid_.margin) / cell,
+                             ((p.y - originY) * grid_.resolution.height - grid_.margin) / cell});
+  bits_.reset(grid_.columns(), grid_.rows());
   cover_.cover(moved_, (grid_.slack + grid_.padding) / cell, bits_);
   return bits_;
 }

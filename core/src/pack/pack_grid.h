@@ -8,13 +8,14 @@ namespace abflat {
 
 /// The cells of a tile that shapes are placed on. Lengths are in texels.
 struct PackGrid {
-  int resolution = 0;
+  AtlasSize resolution;
   int padding = 0;
   int margin = 0;
   int cell = 1;      ///< side of a cell
   double slack = 0;  ///< covers the effect of rounding on coordinates
 
-  int cells() const { return (resolution - 2 * margin) / cell; }
+  int columns() const { return (resolution.width - 2 * margin) / cell; }
+  int rows() const { return (resolution.height - 2 * margin) / cell; }
 };
 
 /// Makes cells as large as possible without wasting room: they have to be small compared with the

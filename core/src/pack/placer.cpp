@@ -35,7 +35,7 @@ class Placer {
     tiles_.resize(taken.size());
     begins_.assign(taken.size(), {});
     for (std::size_t t = 0; t < taken.size(); ++t) {
-      tiles_[t].reset(grid_.cells(), grid_.cells(), longest_);
+      tiles_[t].reset(grid_.columns(), grid_.rows(), longest_);
       tiles_[t].take(taken[t], 0, 0);
     }
     if (!options.start) return;
@@ -81,18 +81,18 @@ class Placer {
   /// No run of a footprint is longer.
   int longestRun(double side) const {
     const double cells = cellsOf(grid_, side * options_.texelsPerUnit);
-    return static_cast<int>(std::min<double>(cells, grid_.cells()));
+    return static_cast<int>(std::min<double>(cells, grid_.columns()));
   }
 
   /// The longest run of each footprint is at least this long: as if its cells were spread evenly
   /// over rows.
   int leastRun(const PackItem& item) const {
-    if (item.loops.points.empty()) return grid_.cells();
+    if (item.loops.points.empty()) return grid_.columns();
     constexpr double kAlmostAll = 0.999;
     const double scale = options_.texelsPerUnit / grid_.cell;
     const double rows = longestRun(longestSide(item));
     return static_cast<int>(std::min<double>(
-        std::ceil(kAlmostAll * item.mass.area * scale * scale / rows), grid_.cells()));
+        std::ceil(kAlmostAll * item.mass.area * scale * scale / rows), grid_.columns()));
   }
 
   bool isPosed() const { return !strategy_.poses.empty(); }
@@ -111,7 +111,7 @@ class Placer {
   /// Computes what the items from each position of the order on need.
   void lookAhead() {
     remaining_.resize(strategy_.order.size());
-    Runs now{1, grid_.cells()};
+    Runs now{1, grid_.columns()};
     for (std::size_t k = remaining_.size(); k-- > 0;) {
       const PackItem& item = items_[strategy_.order[k]];
       now.longest = std::max(now.longest, longestRun(longestSide(item)));
@@ -136,7 +136,7 @@ class Placer {
       }
     }
     tiles_.emplace_back();
-    tiles_.back().reset(grid_.cells(), grid_.cells(), longest);
+    tiles_.back().reset(grid_.columns(), grid_.rows(), longest);
     begins_.emplace_back();
     isFull_.push_back(0);
   }
@@ -278,15 +278,15 @@ double untidiness(const PackItem& item, std::size_t pose) {
   return pose == 2 * quarter ? kUpsideDown : 1;
 }
 
-double sideForAll(const std::vector<PackItem>& items) {
-  double side = 0;
+double scaleForAll(const std::vector<PackItem>& items, double width, double height) {
+  double scale = std::numeric_limits<double>::infinity();
   for (const PackItem& item : items) {
-    double narrow = std::numeric_limits<double>::infinity();
+    double own = 0;
     for (std::size_t p = 0; p < item.poses.size(); ++p)
-      narrow = std::min(narrow, std::max(item.poses[p].width, item.poses[p].height));
-    if (!item.poses.empty()) side = std::max(side, narrow);
+      own = std::max(own, std::min(width / item.poses[p].width, height / item.poses[p].height));
+    if (!item.poses.empty()) scale = std::min(scale, own);
   }
-  return side;
+  return scale;
 }
 
 int& SearchBegins::of(double width, double height, double area, std::size_t quarter) {

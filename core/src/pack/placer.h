@@ -26,8 +26,8 @@ struct PackItem {
 double longestSide(const PackItem& item);
 double longestSide(const std::vector<PackItem>& items);
 
-/// Side of the smallest square that holds each item in some pose.
-double sideForAll(const std::vector<PackItem>& items);
+/// The largest scale at which a box of that size holds each item in some pose.
+double scaleForAll(const std::vector<PackItem>& items, double width, double height);
 
 /// How far a pose is from level and upright: 0 to 1.
 double untidiness(const PackItem& item, std::size_t pose);

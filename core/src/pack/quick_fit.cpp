@@ -21,8 +21,11 @@ QuickFit::QuickFit(const PackOptions& options, int cells)
                                                  : 8),
       rotate_(options.rotate) {
   grid_ = makePackGrid(options, 1);
-  const int side = options.resolution;
-  grid_.cell = std::max(std::min(side / cells, side - 2 * grid_.margin), 1);
+  constexpr int kLeastRows = 16;  // of cells along the shorter side
+  const int side = static_cast<int>(options.resolution.meanSide());
+  const int shorter = options.resolution.shorter();
+  grid_.cell =
+      std::max(std::min({side / cells, shorter / kLeastRows, shorter - 2 * grid_.margin}), 1);
 }
 
 PackItem QuickFit::itemOf(const std::vector<PlanePoint>& outline) const {
@@ -93,7 +96,7 @@ std::vector<std::uint8_t> QuickFit::placed(double side, double mostMissing) {
 std::vector<std::uint8_t> QuickFit::placedBy(const PlaceStrategy& strategy, double side,
                                              double mostMissing) {
   PlaceOptions options;
-  options.texelsPerUnit = grid_.resolution / side;
+  options.texelsPerUnit = grid_.resolution.meanSide() / side;
   options.mostMissing = mostMissing;
   if (!isHeld_.empty()) options.start = &held_;
   const Placed found = place(items_, strategy, grid_, {BitGrid()}, options, space_);

@@ -5,11 +5,11 @@
 
 namespace abflat {
 
-/// Estimates, on few cells and in few poses, which outlines fit into a square. Packing takes a
-/// hundred times as long to decide that.
+/// Estimates, on few cells and in few poses, which outlines fit into a tile. Packing takes a
+/// hundred times as long to decide that. The size of a tile is the side of a square with its area.
 class QuickFit {
  public:
-  /// Uses resolution, padding, margin and rotation. `cells`: along a side of the square, at least,
+  /// Uses resolution, padding, margin and rotation. `cells`: along that side, at least,
   /// if there are as many texels.
   QuickFit(const PackOptions& options, int cells);
 
@@ -22,7 +22,7 @@ class QuickFit {
   /// Returns the previous item.
   PackItem exchange(std::size_t i, PackItem item);
 
-  /// Per item, whether it has a place in a square of that side, placing the largest first. Stops
+  /// Per item, whether it has a place in a tile of that side, placing the largest first. Stops
   /// early once the items without a place exceed the area `mostMissing`; then some items that would
   /// fit are not reported.
   std::vector<std::uint8_t> placed(double side, double mostMissing);
@@ -33,7 +33,7 @@ class QuickFit {
   void hold(double side, const std::vector<std::uint32_t>& items);
   void release() { isHeld_.clear(); }
 
-  /// Approximate side of the smallest square that holds all items; 0 if they have no area.
+  /// Approximate side of the smallest tile that holds all items; 0 if they have no area.
   double leastSide();
 
  private:

@@ -35,17 +35,19 @@ ScaleBounds scaleBounds(const std::vector<PackItem>& items, const PackGrid& grid
   constexpr double kFiniteScale = 1e300;
   const double longest = longestSide(items);
   if (longest == 0) return {};
-  const double side = grid.resolution - 2 * grid.margin, padded = side + grid.padding;
+  const double width = grid.resolution.width - 2 * grid.margin;
+  const double height = grid.resolution.height - 2 * grid.margin;
+  const double padded = (width + grid.padding) * (height + grid.padding);
   ScaleBounds out;
-  out.most = scaleOfArea(items, grid.padding, padded * padded,
-                         std::min((side - 4 * grid.slack) / sideForAll(items), kFiniteScale));
+  const double most = scaleForAll(items, width - 4 * grid.slack, height - 4 * grid.slack);
+  out.most = scaleOfArea(items, grid.padding, padded, std::min(most, kFiniteScale));
   out.least = std::min(out.most, grid.slack / longest);
   // Charts fill about this share of the free area; half a cell is lost on each side.
   constexpr double kFill = 0.72;
   const double freeShare =
-      1 - countCells(taken) / (static_cast<double>(grid.cells()) * grid.cells());
+      1 - countCells(taken) / (static_cast<double>(grid.columns()) * grid.rows());
   const double scale =
-      scaleOfArea(items, grid.padding + grid.cell, kFill * freeShare * padded * padded, out.most);
+      scaleOfArea(items, grid.padding + grid.cell, kFill * freeShare * padded, out.most);
   out.guess = std::max({scale, 1e-3 * out.most, out.least});
   return out;
 }

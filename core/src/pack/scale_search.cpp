@@ -99,7 +99,7 @@ class Search {
   /// A scale that should fit as well, judging by the unused height.
   double boldScale() const {
     const double scale = out_.texelsPerUnit, rows = std::max(out_.best.rows, 1);
-    const double guess = scale * std::sqrt(grid_.cells() / rows);
+    const double guess = scale * std::sqrt(grid_.rows() / rows);
     return std::min(guess < bad_ ? guess : (scale + bad_) / 2, bounds_.most);
   }
 
@@ -190,7 +190,9 @@ void refine(const std::vector<PackItem>& items, const PackGrid& from, const Pack
 PackGrid coarseGrid(PackGrid grid, std::size_t items) {
   const double least = items <= kFewItems ? 24 : 16;  // cells along the side of an item
   const double perSide = std::sqrt(static_cast<double>(items));
-  while (items > 1 && grid.cells() / 2.0 >= least * perSide) grid.cell *= 2;
+  const auto meanSide = [&] { return AtlasSize(grid.columns(), grid.rows()).meanSide(); };
+  const auto shorter = [&] { return std::min(grid.columns(), grid.rows()); };
+  while (items > 1 && meanSide() / 2 >= least * perSide && shorter() >= 2 * least) grid.cell *= 2;
   return grid;
 }
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "abflat/atlas_size.h"
 #include "abflat/generated/mesh_summary.h"
 #include "abflat/status.h"
 #include "base/json_writer.h"
@@ -67,7 +68,7 @@ class FieldWriter {
   template <class Values>
   void options(const char* name, const Values& options) {
     json_.object(name);
-    forEachOption(options, [&](const char* key, const auto& value) { json_.field(key, value); });
+    forEachOption(options, [&](const char* key, const auto& value) { option(key, value); });
     json_.end();
   }
   /// The input part of a report.
@@ -94,6 +95,18 @@ class FieldWriter {
   static constexpr bool kIsPlain = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
   template <class T>
   static constexpr bool kIsPair = std::is_same_v<T, std::array<std::uint32_t, 2>>;
+
+  template <class T>
+  void option(const char* name, const T& value) {
+    json_.field(name, value);
+  }
+  void option(const char* name, const AtlasSize& size) {
+    if (size.isSquare()) return json_.field(name, size.width);
+    json_.array(name);
+    json_.field(nullptr, size.width);
+    json_.field(nullptr, size.height);
+    json_.end();
+  }
 
   static bool isKnown(StatusCode error);
 

@@ -78,7 +78,7 @@ class BeforeRounding {
 /// Texels per mesh unit of the charts that stay where they are, on average, less what they are
 /// denser than others; 0 if there are none.
 double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& shapes,
-                      int resolution) {
+                      const AtlasSize& resolution) {
   double inUv = 0, onSurface = 0;
   for (const ChartId i : packed.charts.flat.ids()) {
     const FlatChart& flat = packed.charts.flat[i];
@@ -86,7 +86,8 @@ double densityOfFixed(const PackedCharts& packed, const std::vector<PackShape>& 
     inUv += massOf(shapes[i]).area;
     onSurface += flat.area * packed.density(i) * packed.density(i);
   }
-  return onSurface > 0 && inUv > 0 ? resolution * std::sqrt(inUv / onSurface) / packed.unit : 0;
+  if (!(onSurface > 0 && inUv > 0)) return 0;
+  return resolution.meanSide() * std::sqrt(inUv / onSurface) / packed.unit;
 }
 
 /// Whether islands of the input stay: new charts get their texel density then, not all the room.
@@ -142,7 +143,9 @@ Status packAll(const PackedCharts& packed, const UnwrapOptions& options, const L
     packing.placements[i].b *= sizeOf(packed, i);
   }
   placeInAtlas(packing, packed.charts.flat);
-  atlas.resolution = options.resolution;
+  atlas.resolution = options.resolution.longer();
+  atlas.width = options.resolution.width;
+  atlas.height = options.resolution.height;
   atlas.padding = options.padding;
   atlas.margin = marginOf(options);
   atlas.tiles = static_cast<int>(packing.tiles);

@@ -115,10 +115,15 @@ FlatChart flattenOne(const DiskChart& chart, const UnwrapOptionValues& options,
   if (isPinned) {
     Attempt alone = attempt;
     refineChart(flattener, refining, alone);
+    // Pins are places in the atlas, where lengths along v may count more than those along u.
+    const double aspect = options.resolution.aspect();
     refining.pins = constraints.pins;
-    pin(flattener, constraints.pins, {solver.allowedBytes, &pool}, attempt);
+    for (ChartPin& pinned : refining.pins) pinned.uv[1] /= aspect;
+    pin(flattener, refining.pins, {solver.allowedBytes, &pool}, attempt);
     refineChart(flattener, refining, attempt);
     out.uv = inMeshUnit(chart, attempt);
+    for (std::size_t i = 1; i < out.uv.size(); i += 2) out.uv[i] *= aspect;
+    for (const ChartPin& pinned : constraints.pins) setPoint(out.uv, pinned.vertex, pinned.uv);
     out.unpacked = inMeshUnit(chart, alone);
     out.isFixed = true;
   } else {

@@ -253,7 +253,10 @@ CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface&
     return std::make_unique<PieceFitting>(part.mesh, surface, fit, goal.mostCost);
   };
   auto uncut = fittingOn(kCells);
-  const std::vector<LongChart> longCharts = uncut->longCharts();
+  std::vector<LongChart> longCharts = uncut->longCharts();
+  // They lie along the longer side of a tile.
+  for (LongChart& chart : longCharts)
+    chart.length *= options.resolution.meanSide() / options.resolution.longer();
   if (!longCharts.empty()) uncut = fittingOn(kCellsForLong);
   for (const LongChart& chart : longCharts) uncut->cutAnywhere(chart);
   CutSearch search(*uncut, goal, wanted, triesFor(open));

@@ -12,7 +12,7 @@ namespace abflat {
 inline double expectedDensity(const UnwrapOptions& options, double area, double unit) {
   constexpr double kUsualUtilization = 0.6;
   if (options.texelDensity != kAutoTexelDensity) return options.texelDensity * unit;
-  return options.resolution * std::sqrt(kUsualUtilization / area);
+  return options.resolution.meanSide() * std::sqrt(kUsualUtilization / area);
 }
 
 }  // namespace abflat

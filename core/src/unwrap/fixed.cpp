@@ -117,7 +117,8 @@ struct FixedChart {
   const DiskChart& chart;
   const std::vector<double>& uv;
   std::function<InputFace(ChartTriangle)> face;
-  int side = 1;  ///< -1: it runs clockwise, as it should
+  int side = 1;       ///< -1: it runs clockwise, as it should
+  double aspect = 1;  ///< of a tile
 };
 
 Status checkTriangles(const FixedChart& c) {
@@ -181,7 +182,7 @@ bool runsClockwise(const DiskChart& chart, const std::vector<double>& uv) {
 
 ChartDistortion distortionOf(const FixedChart& c) {
   std::vector<double> uv = c.uv;
-  for (std::size_t i = 0; i < uv.size(); i += 2) uv[i] *= c.side;
+  for (std::size_t i = 0; i < uv.size(); i += 2) uv[i] *= c.side * c.aspect;
   return ChartDistortion(measureDistortion(c.chart, uv));
 }
 
@@ -232,7 +233,7 @@ Status layOutFixed(const CutMesh& mesh, const FixedTriangles& fixed, const Unwra
                                   runsClockwise(chart, out.uv));
     const FixedChart c{chart, out.uv,
                        [&](ChartTriangle f) { return mesh.map.face(topology.triangles[f]); },
-                       isMirrored ? -1 : 1};
+                       isMirrored ? -1 : 1, options.resolution.aspect()};
     if (Status s = options.reuse.keepsPlaces ? Status() : checkTile(c, options.udim); !s.ok())
       return s;
     if (Status s = checkTriangles(c); !s.ok()) {

@@ -78,23 +78,28 @@ Box boxOf(const Placement& placement, const std::vector<double>& unpacked) {
 
 /// Lets a chart that lies within one texel fill it, since nothing else is there. False if the chart
 /// is larger.
-bool fillTexel(int resolution, Placement& placement, FlatChart& flat) {
+bool fillTexel(const AtlasSize& resolution, Placement& placement, FlatChart& flat) {
   constexpr double kFree = 0x1p-8;  // of the texel, kept free on each side
   const Box box = boxOf(placement, flat.unpacked);
-  const double texel = 1.0 / resolution, side = box.side();
-  if (!(side > 0) || side >= texel / 2) return false;
-  const double at[2] = {placement.x, placement.y};
-  double corner[2];
+  const int texels[2] = {resolution.width, resolution.height};
+  const double at[2] = {placement.x, placement.y * placement.aspect};
+  double corner[2], by = HUGE_VAL;
   for (std::size_t d = 0; d < 2; ++d) {
-    corner[d] = std::floor((at[d] + box.low[d]) * resolution);
-    if (std::floor((at[d] + box.high[d]) * resolution) != corner[d]) return false;
+    const double texel = 1.0 / texels[d], side = box.high[d] - box.low[d];
+    if (side >= texel / 2) return false;
+    if (side > 0) by = std::min(by, (1 - 2 * kFree) * texel / side);
+    corner[d] = std::floor((at[d] + box.low[d]) * texels[d]);
+    if (std::floor((at[d] + box.high[d]) * texels[d]) != corner[d]) return false;
   }
-  const double by = (1 - 2 * kFree) * texel / side;
+  if (!std::isfinite(by)) return false;
   flat.enlarged *= by;
   placement.a *= by;
   placement.b *= by;
-  placement.x = (corner[0] + kFree) * texel - box.low[0] * by;
-  placement.y = (corner[1] + kFree) * texel - box.low[1] * by;
+  const auto moved = [&](std::size_t d) {
+    return (corner[d] + kFree) * (1.0 / texels[d]) - box.low[d] * by;
+  };
+  placement.x = moved(0);
+  placement.y = moved(1) / placement.aspect;
   placeOne(placement, flat);
   return true;
 }
@@ -212,7 +217,7 @@ bool isFlattened(const DiskChart& chart, const std::vector<double>& uv) {
 }
 
 /// False if the chart has to be larger.
-bool fit(const DiskChart& chart, Numbers numbers, int resolution, bool mayGrow,
+bool fit(const DiskChart& chart, Numbers numbers, const AtlasSize& resolution, bool mayGrow,
          Placement& placement, FlatChart& flat) {
   flat.movedVertices = 0;
   if (!flat.problem.empty()) {
@@ -265,7 +270,7 @@ std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, FlatCharts& 
   return static_cast<std::size_t>(std::count(isLost.begin(), isLost.end(), 1));
 }
 
-std::size_t fitToNumbers(const PackedCharts& packed, Numbers numbers, int resolution,
+std::size_t fitToNumbers(const PackedCharts& packed, Numbers numbers, const AtlasSize& resolution,
                          bool mayGrow) {
   IdVector<ChartId, std::uint8_t> isTooSmall(packed.charts.flat.size(), 0);
   parallelFor(&packed.pool, packed.charts.flat.size(), [&](std::size_t k) {

@@ -22,7 +22,8 @@ std::size_t roundToSingle(const ChartSet& charts, ThreadPool& pool, FlatCharts& 
 /// vertices of triangles too thin for the numbers are moved. Returns how many charts have to be
 /// larger, which can only happen if they `mayGrow`; they then have to be packed again with their
 /// new `enlarged`.
-std::size_t fitToNumbers(const PackedCharts& packed, Numbers numbers, int resolution, bool mayGrow);
+std::size_t fitToNumbers(const PackedCharts& packed, Numbers numbers, const AtlasSize& resolution,
+                         bool mayGrow);
 
 /// Notes on which charts are larger than others, and which vertices were moved.
 std::vector<std::string> fittingNotes(const FlatCharts& flat, Numbers numbers);

@@ -20,8 +20,9 @@ SeamOptions seamOptions(const UnwrapOptions& options, const OpenSurface& open, T
   constexpr double kSpeckTexels = 16;
   out.speck = kSpeckTexels / expectedDensity(options, open.mesh.totalArea(), open.unit);
   if (options.udim)  // each chart has to fit a tile
-    out.longest = (options.resolution - 2 * std::max(options.padding, marginOf(options))) /
-                  options.texelDensity / open.unit;
+    out.longest =
+        (options.resolution.shorter() - 2 * std::max(options.padding, marginOf(options))) /
+        options.texelDensity / open.unit;
   out.pool = &pool;
   out.listener = listener;
   return out;

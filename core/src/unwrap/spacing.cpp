@@ -15,20 +15,21 @@ namespace {
 
 /// The chart's outline in texels, in the atlas and, at the chart's mean scale, in space.
 PlacedOutline placedOutline(const ChartTopology& chart, const FlatChart& flat,
-                            const std::vector<double>& positions, int resolution) {
+                            const std::vector<double>& positions, const AtlasSize& resolution) {
   double twiceArea = 0;
   for (const ChartCorner c : chart.surfaceCorners()) {
     const Point2 a = pointAt(flat.uv, chart.vertexOfCorner[c]);
     const Point2 b = pointAt(flat.uv, chart.vertexOfCorner[nextCorner(c)]);
     twiceArea += a[0] * b[1] - a[1] * b[0];
   }
-  const double scale = resolution * std::sqrt(std::max(twiceArea / 2, 0.0) / flat.area);
+  const double scale = resolution.meanSide() * std::sqrt(std::max(twiceArea / 2, 0.0) / flat.area);
   PlacedOutline out;
   out.uv.reserve(2 * chart.boundary.size());
   out.positions.reserve(3 * chart.boundary.size());
   for (const ChartCorner h : chart.boundary) {
     const ChartVertex v = chart.vertexOfCorner[h];
-    for (const double x : pointAt(flat.uv, v)) out.uv.push_back(resolution * x);
+    const auto [x, y] = pointAt(flat.uv, v);
+    out.uv.insert(out.uv.end(), {resolution.width * x, resolution.height * y});
     const std::size_t at = 3 * std::size_t{chart.inputVertex[v]};
     for (std::size_t d = 0; d < 3; ++d) out.positions.push_back(scale * positions[at + d]);
   }

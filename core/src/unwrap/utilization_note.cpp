@@ -24,13 +24,20 @@ struct Occupants {
   double perimeter = 0;      ///< of all charts
 };
 
-void addChart(const ChartTopology& chart, const std::vector<double>& uv, Occupants& out) {
+/// Lengths are in longer sides of the tile.
+void addChart(const ChartTopology& chart, const std::vector<double>& uv, const AtlasSize& size,
+              Occupants& out) {
   constexpr double kLong = 12;  // times as long as wide
+  const double sides[2] = {static_cast<double>(size.width) / size.longer(),
+                           static_cast<double>(size.height) / size.longer()};
+  const auto at = [&](ChartCorner h) {
+    const auto [u, v] = pointAt(uv, chart.vertexOfCorner[h]);
+    return Point2{u * sides[0], v * sides[1]};
+  };
   double twiceArea = 0;
-  Point2 low = pointAt(uv, chart.vertexOfCorner[ChartCorner(0)]), high = low;
+  Point2 low = at(ChartCorner(0)), high = low;
   for (const ChartCorner h : chart.surfaceCorners()) {
-    const Point2 a = pointAt(uv, chart.vertexOfCorner[h]);
-    const Point2 b = pointAt(uv, chart.vertexOfCorner[nextCorner(h)]);
+    const Point2 a = at(h), b = at(nextCorner(h));
     twiceArea += a[0] * b[1] - a[1] * b[0];
     for (std::size_t d = 0; d < 2; ++d) {
       low[d] = std::min(low[d], a[d]);
@@ -46,9 +53,10 @@ void addChart(const ChartTopology& chart, const std::vector<double>& uv, Occupan
   out.isAnyLong = out.isAnyLong || (reach > kSpan && reach * reach > kLong * twiceArea / 2);
 }
 
-Occupants occupantsOf(const LaidCharts& charts) {
+Occupants occupantsOf(const LaidCharts& charts, const AtlasSize& size) {
   Occupants out;
-  for (const ChartId i : charts.set.ids()) addChart(charts.set.topology(i), charts.flat[i].uv, out);
+  for (const ChartId i : charts.set.ids())
+    addChart(charts.set.topology(i), charts.flat[i].uv, size, out);
   return out;
 }
 
@@ -77,7 +85,7 @@ std::string reason(const Occupants& occupants, CutMode mode, const FlatCharts& f
   if (mode == CutMode::Long)
     return "of so many charts, only those far longer than wide are cut for packing";
   const bool isPadded =
-      occupants.perimeter * options.padding / 2 / options.resolution > kMuchPadding;
+      occupants.perimeter * options.padding / 2 / options.resolution.shorter() > kMuchPadding;
   return std::string("no further cut that was tried helps") +
          (isPadded ? ". A higher resolution or less padding leaves less between charts" : "");
 }
@@ -103,7 +111,7 @@ std::string utilizationNote(const PackedCharts& packed, const SurfaceMap& map,
   const bool isAuto = asked == kAutoMinUtilization;
   if (isAuto ? reached >= kPoor || options.texelDensity != kAutoTexelDensity : reached >= asked)
     return {};
-  const Occupants occupants = occupantsOf(charts);
+  const Occupants occupants = occupantsOf(charts, options.resolution);
   if (isAuto && !occupants.isAnyLong) return {};
   const auto cuts = std::min(static_cast<std::size_t>(atlas.packingCuts), charts.set.size());
   const CutMode mode = cutModeOf(options, charts.flat, cuts);

@@ -56,7 +56,7 @@ class UnwrapOptions(TypedDict, total=False):
     t: Union[float, Literal["auto"]]
     straight_seams: bool
     rectify: Literal["auto", "never", "always"]
-    resolution: int
+    resolution: Union[int, tuple[int, int]]
     padding: int
     margin: Union[int, Literal["auto"]]
     texel_density: Union[float, Literal["auto"]]
@@ -82,7 +82,7 @@ UNWRAP_OPTIONS: dict[str, OptionInfo] = {
     "t": OptionInfo("t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)"),
     "straight_seams": OptionInfo("straightSeams", False, "", "make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved"),
     "rectify": OptionInfo("rectify", "auto", "auto, never, always", "whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that hardly stretches, and stays within the bound of stretch; never = leave outlines as they come out; always = however much that stretches"),
-    "resolution": OptionInfo("resolution", 1024, "at least 16 and at most 32768, whole", "side of the texture in texels"),
+    "resolution": OptionInfo("resolution", 1024, "at least 16 and at most 32768, whole, or two of these, as in (2048, 1024)", "side of the texture in texels, or its width and height"),
     "padding": OptionInfo("padding", 2, "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart"),
     "margin": OptionInfo("margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between charts and the edge of their tile (auto = half the padding, rounded up)"),
     "texel_density": OptionInfo("texelDensity", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)"),
@@ -100,7 +100,7 @@ UNWRAP_OPTIONS: dict[str, OptionInfo] = {
 class PackOptions(TypedDict, total=False):
     """The options of packing a layout that are plain values, with their defaults."""
 
-    resolution: int
+    resolution: Union[int, tuple[int, int]]
     padding: int
     margin: Union[int, Literal["auto"]]
     texel_density: Union[float, Literal["auto"]]
@@ -112,7 +112,7 @@ class PackOptions(TypedDict, total=False):
 
 
 PACK_OPTIONS: dict[str, OptionInfo] = {
-    "resolution": OptionInfo("resolution", 1024, "at least 16 and at most 32768, whole", "side of the texture in texels"),
+    "resolution": OptionInfo("resolution", 1024, "at least 16 and at most 32768, whole, or two of these, as in (2048, 1024)", "side of the texture in texels, or its width and height"),
     "padding": OptionInfo("padding", 2, "at least 0 and at most 256, whole", "free texels between islands"),
     "margin": OptionInfo("margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between islands and the edge of their tile (auto = half the padding, rounded up)"),
     "texel_density": OptionInfo("texelDensity", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)"),

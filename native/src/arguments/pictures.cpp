@@ -27,8 +27,8 @@ void addLayoutPicture(CLI::App& app, std::string& layout) {
       ->type_name("FILE");
 }
 
-void checkPicture(const char* option, const std::string& path, int resolution) {
-  if (endingOf(path) == ".png" && resolution > kMostPictureTexels)
+void checkPicture(const char* option, const std::string& path, const AtlasSize& resolution) {
+  if (endingOf(path) == ".png" && resolution.longer() > kMostPictureTexels)
     throw CLI::ValidationError(
         option, "a PNG has at most " + std::to_string(kMostPictureTexels) +
                     " pixels along a side. Lower --resolution, or write the layout as .svg");

@@ -68,11 +68,17 @@ class GltfLookMaker {
     return out;
   }
 
-  int sideOf(const std::set<std::size_t>& plans) const {
-    int side = 0;
-    for (const std::size_t plan : plans)
-      side = std::max(side, baker_.sideOf(old_.plans.plans[plan]));
-    return side;
+  AtlasSize sizeOf(const std::set<std::size_t>& plans) const {
+    AtlasSize out;
+    for (const std::size_t plan : plans) {
+      const AtlasSize size = baker_.sizeOf(old_.plans.plans[plan]);
+      if (size.width > out.width) out = size;
+    }
+    return out;
+  }
+
+  static AtlasSize sizeOf(const images::Image& image) {
+    return {static_cast<int>(image.width), static_cast<int>(image.height)};
   }
 
   /// Multiplies a channel of `to` by one of each plan: its alpha, if that is what counts, or red.
@@ -81,7 +87,7 @@ class GltfLookMaker {
                   images::Image& to) const {
     for (const std::size_t number : plans) {
       const ObjPlan& plan = old_.plans.plans[number];
-      const Result<images::Image> image = baker_.bake(plan, static_cast<int>(to.width), 8);
+      const Result<images::Image> image = baker_.bake(plan, sizeOf(to), 8);
       if (!image.ok()) return image.status();
       const auto from = static_cast<std::size_t>(byAlpha && plan.channels == 4 ? 3 : 0);
       const auto stepFrom = static_cast<std::size_t>(plan.channels);
@@ -96,16 +102,17 @@ class GltfLookMaker {
     return {};
   }
 
-  static images::Image white(int side, int channels) {
-    const auto s = static_cast<std::uint32_t>(side);
-    images::Image out{s, s, channels, 8, {}};
-    out.pixels.assign(std::size_t{s} * s * static_cast<std::size_t>(channels), 255);
+  static images::Image white(const AtlasSize& size, int channels) {
+    const auto width = static_cast<std::uint32_t>(size.width);
+    const auto height = static_cast<std::uint32_t>(size.height);
+    images::Image out{width, height, channels, 8, {}};
+    out.pixels.assign(std::size_t{width} * height * static_cast<std::size_t>(channels), 255);
     return out;
   }
 
   /// An image of three or four channels with the colours of another.
   static images::Image withChannels(const images::Image& from, int channels) {
-    images::Image out = white(static_cast<int>(from.width), channels);
+    images::Image out = white(sizeOf(from), channels);
     const auto was = static_cast<std::size_t>(from.channels),
                is = static_cast<std::size_t>(channels);
     for (std::size_t i = 0; i < out.pixels.size() / is; ++i)
@@ -123,10 +130,10 @@ class GltfLookMaker {
     plan.name = "baseColor";
     plan.space = ColourSpace::Srgb;
     plan.channels = opacities.empty() ? 3 : 4;
-    images::Image image = white(sideOf(all), plan.channels);
+    images::Image image = white(sizeOf(all), plan.channels);
     if (!colours.empty()) {
       const ObjPlan& first = old_.plans.plans[*colours.begin()];
-      const Result<images::Image> baked = baker_.bake(first, static_cast<int>(image.width), 8);
+      const Result<images::Image> baked = baker_.bake(first, sizeOf(image), 8);
       if (!baked.ok()) return baked.status();
       image = withChannels(baked.value(), plan.channels);
     }
@@ -141,7 +148,7 @@ class GltfLookMaker {
     if (all.empty()) return {};
     ObjPlan plan;
     plan.name = "metallicRoughness";
-    images::Image image = white(sideOf(all), plan.channels);
+    images::Image image = white(sizeOf(all), plan.channels);
     if (Status s = multiply(rough, false, 1, image); !s.ok()) return s;
     if (Status s = multiply(metal, false, 2, image); !s.ok()) return s;
     return put(image, plan, {"roughness", "metallic"}, &MaterialLook::metallicRoughnessImage);
@@ -151,7 +158,7 @@ class GltfLookMaker {
     const std::set<std::size_t> plans = plansOf(name);
     if (plans.empty()) return {};
     ObjPlan plan = old_.plans.plans[*plans.begin()];
-    const Result<images::Image> image = baker_.bake(plan, baker_.sideOf(plan), 8);
+    const Result<images::Image> image = baker_.bake(plan, baker_.sizeOf(plan), 8);
     if (!image.ok()) return image.status();
     plan.name = name;
     plan.channels = 3;

@@ -1,7 +1,6 @@
 #include "baking/bake_maps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "baking/corners.h"
@@ -19,11 +18,11 @@ class MapsBaker {
         corners_(old.look, layout) {}
 
   Result<BakedMaps> bakeAll() {
-    std::vector<int> sides;
-    for (const MapPlan& plan : plans_.plans) sides.push_back(sideOf(plan));
-    shareSide(sides);
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      if (Status s = bakeMap(plans_.plans[i], sides[i]); !s.ok()) return s;
+    std::vector<AtlasSize> sizes;
+    for (const MapPlan& plan : plans_.plans) sizes.push_back(sizeOf(plan));
+    shareSize(sizes);
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      if (Status s = bakeMap(plans_.plans[i], sizes[i]); !s.ok()) return s;
     out_.emissiveStrength = plans_.emissiveStrength;
     return std::move(out_);
   }
@@ -95,9 +94,10 @@ class MapsBaker {
     return {};
   }
 
-  int sideOf(const MapPlan& plan) const {
-    if (options_.bakeResolution != kAutoBakeResolution) return options_.bakeResolution;
-    return bakeSide(inputOf(plan), layout_.resolution);
+  AtlasSize sizeOf(const MapPlan& plan) const {
+    const bool isAuto = options_.bakeResolution == kAutoBakeResolution;
+    return bakeSize(isAuto ? inputOf(plan) : BakeInput(), options_.bakeResolution,
+                    layout_.resolution);
   }
 
   std::size_t planOf(TexturePlace texture) const {
@@ -107,12 +107,13 @@ class MapsBaker {
   }
 
   /// Metals, roughness and occlusion are one image, so they have one size.
-  void shareSide(std::vector<int>& sides) const {
+  void shareSize(std::vector<AtlasSize>& sizes) const {
     const std::size_t a = planOf(kMetallicRoughnessPlace), b = planOf(kOcclusionPlace);
-    if (a < sides.size() && b < sides.size()) sides[a] = sides[b] = std::max(sides[a], sides[b]);
+    if (a < sizes.size() && b < sizes.size())
+      sizes[a] = sizes[b] = sizes[a].width < sizes[b].width ? sizes[b] : sizes[a];
   }
 
-  Status bakeMap(const MapPlan& plan, int side) {
+  Status bakeMap(const MapPlan& plan, const AtlasSize& size) {
     BakeInput input = inputOf(plan);
     if (Status s = addPixels(plan, input); !s.ok()) return s;
     if (plan.kind == MapKind::Normal) {
@@ -124,12 +125,12 @@ class MapsBaker {
     }
     BakeOptions options;
     options.kind = plan.kind;
-    options.width = options.height = static_cast<std::uint32_t>(side);
+    options.width = static_cast<std::uint32_t>(size.width);
+    options.height = static_cast<std::uint32_t>(size.height);
     options.channels = plan.channels;
     options.space = plan.space;
     options.background = plan.background;
-    const double scale = layout_.resolution == 0 ? 1 : double(side) / layout_.resolution;
-    options.padding = static_cast<std::uint32_t>(std::ceil(layout_.padding * scale));
+    options.padding = bakePadding(layout_.padding, size, layout_.resolution);
     options.threads = options_.threads;
     BakedMap& map = out_.maps.emplace_back();
     map.plan = plan;
@@ -171,8 +172,9 @@ Result<ImageFile> writeMap(const BakedMap& map, const BakeOptionValues& options,
   Result<std::string> file =
       images::writeImage(map.image, format, isExact ? 100 : options.imageQuality);
   if (!file.ok()) return file.status();
+  const auto width = static_cast<int>(map.image.width), height = static_cast<int>(map.image.height);
   report.maps.push_back(
-      {map.plan.name, static_cast<int>(map.image.width), format, file.value().size()});
+      {map.plan.name, std::max(width, height), width, height, format, file.value().size()});
   return ImageFile{map.plan.name, images::mimeTypeOf(format), std::move(file).value()};
 }
 

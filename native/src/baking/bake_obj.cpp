@@ -13,7 +13,7 @@ Result<NewObj> bakeObj(OldObj& old, ObjBaker& baker, const std::string& stem, Im
   for (const ObjPlan& plan : old.plans.plans) {
     const ImageFormat format = formatFor(plan, wanted, out.notes);
     const Result<images::Image> image =
-        baker.bake(plan, baker.sideOf(plan), format == ImageFormat::Png ? plan.bits : 8);
+        baker.bake(plan, baker.sizeOf(plan), format == ImageFormat::Png ? plan.bits : 8);
     if (!image.ok()) return image.status();
     Result<ImageFile> file = baker.write(image.value(), plan, format, out.report);
     if (!file.ok()) return file.status();

@@ -1,6 +1,6 @@
 #include "baking/obj_baker.h"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 namespace abflat::cli {
@@ -10,9 +10,10 @@ ObjBaker::ObjBaker(OldObj& old, const PolygonMesh& mesh, const NewLayout& layout
                    const BakeOptionValues& options)
     : old_(old), layout_(layout), options_(options), corners_(mesh, layout, triangleCorners) {}
 
-int ObjBaker::sideOf(const ObjPlan& plan) const {
-  if (options_.bakeResolution != kAutoBakeResolution) return options_.bakeResolution;
-  return bakeSide(inputOf(plan), layout_.resolution);
+AtlasSize ObjBaker::sizeOf(const ObjPlan& plan) const {
+  const bool isAuto = options_.bakeResolution == kAutoBakeResolution;
+  return bakeSize(isAuto ? inputOf(plan) : BakeInput(), options_.bakeResolution,
+                  layout_.resolution);
 }
 
 /// Everything but pixels, and the frames of normal maps.
@@ -48,19 +49,19 @@ Status ObjBaker::addPixels(const ObjPlan& plan, BakeInput& input) {
   return {};
 }
 
-Result<images::Image> ObjBaker::bake(const ObjPlan& plan, int side, int bits) {
+Result<images::Image> ObjBaker::bake(const ObjPlan& plan, const AtlasSize& size, int bits) {
   BakeInput input = inputOf(plan);
   if (Status s = addPixels(plan, input); !s.ok()) return s;
   if (plan.kind == MapKind::Normal) corners_.addFrames(input.triangles);
   BakeOptions options;
   options.kind = plan.kind;
-  options.width = options.height = static_cast<std::uint32_t>(side);
+  options.width = static_cast<std::uint32_t>(size.width);
+  options.height = static_cast<std::uint32_t>(size.height);
   options.channels = plan.channels;
   options.bits = bits;
   options.space = plan.space;
   if (plan.kind == MapKind::Normal) options.background = {0.5, 0.5, 1, 1};
-  const double scale = layout_.resolution == 0 ? 1 : double(side) / layout_.resolution;
-  options.padding = static_cast<std::uint32_t>(std::ceil(layout_.padding * scale));
+  options.padding = bakePadding(layout_.padding, size, layout_.resolution);
   options.threads = options_.threads;
   images::Image out{options.width, options.height, plan.channels, bits, {}};
   out.pixels.reserve(std::size_t{options.width} * options.height *
@@ -82,7 +83,9 @@ Result<ImageFile> ObjBaker::write(const images::Image& image, const ObjPlan& pla
   Result<std::string> file =
       images::writeImage(image, format, isExact ? 100 : options_.imageQuality);
   if (!file.ok()) return file.status();
-  report.maps.push_back({plan.name, static_cast<int>(image.width), format, file.value().size()});
+  const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+  report.maps.push_back(
+      {plan.name, std::max(width, height), width, height, format, file.value().size()});
   return ImageFile{plan.name, images::mimeTypeOf(format), std::move(file).value()};
 }
 

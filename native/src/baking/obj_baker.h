@@ -17,8 +17,8 @@ class ObjBaker {
   ObjBaker(OldObj& old, const PolygonMesh& mesh, const NewLayout& layout,
            const std::vector<std::uint32_t>& triangleCorners, const BakeOptionValues& options);
 
-  int sideOf(const ObjPlan& plan) const;
-  Result<images::Image> bake(const ObjPlan& plan, int side, int bits);
+  AtlasSize sizeOf(const ObjPlan& plan) const;
+  Result<images::Image> bake(const ObjPlan& plan, const AtlasSize& size, int bits);
   /// The file of a new image, and its entry in a report.
   Result<ImageFile> write(const images::Image& image, const ObjPlan& plan, ImageFormat format,
                           BakingReport& report) const;

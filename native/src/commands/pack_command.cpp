@@ -15,7 +15,8 @@ UnwrapResult drawn(const PolygonMesh& mesh, const PackLayoutResult& result) {
   out.cornerUv = result.cornerUv;
   out.chartOfFace = result.islandOfFace;
   out.report.charts.resize(result.report.islands);
-  out.report.atlas.resolution = result.report.resolution;
+  out.report.atlas.width = result.report.width;
+  out.report.atlas.height = result.report.height;
   out.report.atlas.tiles = result.report.tiles;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     if (result.islandOfFace[f] == kNoIsland) out.report.repair.collapsedFaces.push_back(f);
@@ -60,7 +61,11 @@ struct PackJob {
   }
   static NewLayout newLayout(const PackLayoutResult& result,
                              const std::vector<std::uint32_t>& turned) {
-    return {result.uv, result.cornerUv, turned, result.report.padding, result.report.resolution};
+    return {result.uv,
+            result.cornerUv,
+            turned,
+            result.report.padding,
+            {result.report.width, result.report.height}};
   }
   static void setBaking(const BakingReport& baking, PackReport& report) { report.baking = baking; }
 

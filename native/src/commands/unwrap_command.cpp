@@ -74,7 +74,7 @@ struct UnwrapJob {
   }
   static NewLayout newLayout(const UnwrapResult& result, const std::vector<std::uint32_t>& turned) {
     const AtlasReport& atlas = result.report.atlas;
-    return {result.uv, result.cornerUv, turned, atlas.padding, atlas.resolution};
+    return {result.uv, result.cornerUv, turned, atlas.padding, {atlas.width, atlas.height}};
   }
   static void setBaking(const BakingReport& baking, UnwrapReport& report) {
     report.baking = baking;

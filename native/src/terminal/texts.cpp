@@ -35,9 +35,11 @@ std::vector<std::string> repairLines(const RepairReport& r) {
   return lines;
 }
 
-std::string tilesText(int tiles, int resolution) {
-  const std::string side = std::to_string(resolution);
-  return (tiles > 1 ? std::to_string(tiles) + " tiles of " : "") + side + " x " + side;
+/// `report`: of an atlas or of packing.
+template <class Report>
+std::string tilesText(const Report& report) {
+  return (report.tiles > 1 ? std::to_string(report.tiles) + " tiles of " : "") +
+         std::to_string(report.width) + " x " + std::to_string(report.height);
 }
 
 std::string stackedText(const AtlasReport& atlas) {
@@ -102,9 +104,8 @@ std::string shapesText(const std::vector<UnwrapChart>& charts) {
 std::string bakingText(const BakingReport& baking) {
   std::string out;
   for (const BakedMap& map : baking.maps) {
-    const std::string side = std::to_string(map.resolution);
     out.append(out.empty() ? "  baked " : ", ").append(map.map).append(" ");
-    out.append(side).append(" x ").append(side);
+    out.append(std::to_string(map.width)).append(" x ").append(std::to_string(map.height));
   }
   return out.empty() ? out : out + "\n";
 }
@@ -127,9 +128,8 @@ std::string unwrapText(const UnwrapReport& report, const std::string& inputName,
       << "\n"
       << "  distortion: angles " << report.angularDistortion << ", conformal "
       << report.quasiConformalMean << ", symmetric Dirichlet " << report.symmetricDirichlet << "\n"
-      << "  atlas: " << tilesText(report.atlas.tiles, report.atlas.resolution) << ", "
-      << 100 * report.atlas.utilization << " % used, " << report.atlas.texelDensity
-      << " texels per unit\n";
+      << "  atlas: " << tilesText(report.atlas) << ", " << 100 * report.atlas.utilization
+      << " % used, " << report.atlas.texelDensity << " texels per unit\n";
   if (report.atlas.packingCuts > 0)
     out << "  " << counted(static_cast<std::size_t>(report.atlas.packingCuts), "cut", "cuts")
         << " to pack tighter (without: " << report.atlas.uncutTexelDensity << " texels per unit)\n";
@@ -144,7 +144,7 @@ namespace {
 
 std::string packedText(const PackReport& report) {
   std::ostringstream out;
-  out << std::setprecision(3) << "  atlas: " << tilesText(report.tiles, report.resolution) << ", "
+  out << std::setprecision(3) << "  atlas: " << tilesText(report) << ", "
       << 100 * report.utilizationBefore << " % used before, " << 100 * report.utilization
       << " % now; lengths in uv are " << report.scale << " times what they were, "
       << report.texelDensity << " texels per unit\n";
@@ -154,7 +154,7 @@ std::string packedText(const PackReport& report) {
 /// Of a layout that stays as it is.
 std::string judgedText(const PackReport& report) {
   std::ostringstream out;
-  out << std::setprecision(3) << "  layout: " << tilesText(report.tiles, report.resolution) << ", "
+  out << std::setprecision(3) << "  layout: " << tilesText(report) << ", "
       << 100 * report.utilization << " % used, " << report.texelDensity << " texels per unit\n"
       << "  faces: " << report.facesOverlapping << " overlapping, " << report.facesFlipped
       << " flipped, " << report.facesEmpty << " without area, " << report.facesOutside

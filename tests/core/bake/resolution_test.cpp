@@ -35,7 +35,7 @@ TEST_CASE("the side of a new image is the power of two that is nearest, within b
     const Image texture(texels, texels, 1);
     BakeInput input = squareWith(texture, unchanged);
     input.materials[0].scale = {scale, scale};
-    return bakeSide(input, 0);
+    return bakeSize(input, 0, 0).width;
   };
   CHECK(sideFor(64) == 64);
   // sqrt(2) is between.
@@ -46,7 +46,23 @@ TEST_CASE("the side of a new image is the power of two that is nearest, within b
   const Image texture(64, 64, 1);
   BakeInput input = squareWith(texture, unchanged);
   input.materials[0].texture = kNoTexture;
-  CHECK(bakeSide(input, 0) == 1024);
-  CHECK(bakeSide(input, 300) == 300);
-  CHECK(bakeSide(input, 32768) == 8192);
+  CHECK(bakeSize(input, 0, 0) == 1024);
+  CHECK(bakeSize(input, 0, 300) == 300);
+  CHECK(bakeSize(input, 0, 32768) == 8192);
+}
+
+TEST_CASE("a new image has the shape of the layout, unless another is asked for") {
+  const Image texture(64, 64, 1);
+  BakeInput input = squareWith(texture, unchanged);
+  CHECK(bakeSize(input, 0, {512, 256}) == AtlasSize(128, 64));
+  CHECK(bakeSize(input, 0, {256, 1024}) == AtlasSize(32, 128));
+  CHECK(bakeSize(input, 100, {512, 256}) == AtlasSize(100, 50));
+  CHECK(bakeSize(input, {100, 300}, {512, 256}) == AtlasSize(100, 300));
+  CHECK(bakeSize(input, {100, 300}, 0) == AtlasSize(100, 300));
+  input.materials[0].texture = kNoTexture;
+  CHECK(bakeSize(input, 0, {512, 256}) == AtlasSize(512, 256));
+  CHECK(bakeSize(input, 0, {32768, 64}) == AtlasSize(8192, 16));
+  CHECK(bakePadding(4, {256, 128}, {512, 256}) == 2);
+  CHECK(bakePadding(3, {256, 128}, {512, 256}) == 2);
+  CHECK(bakePadding(3, {256, 128}, 0) == 3);
 }

@@ -62,6 +62,7 @@ TEST_CASE("the functions for C give what those for C++ give", "[c]") {
   options.maxStretch = 1.1;
   options.rotate = Rotate::Quarter;
   options.memory = 2048;
+  options.resolution = {512, 256};
   options.udim = false;
   options.seams.sharpDegrees = 60;
   const UnwrapResult expected = unwrap(mesh, options).value();
@@ -71,6 +72,7 @@ TEST_CASE("the functions for C give what those for C++ give", "[c]") {
   REQUIRE(set.set("maxStretch", "1.1") == 0);
   REQUIRE(set.set("--rotate", "quarter") == 0);
   REQUIRE(set.set("memory", "2G") == 0);
+  REQUIRE(set.set("resolution", "512x256") == 0);
   REQUIRE(set.set("udim", "false") == 0);
   REQUIRE(set.set("seams", "auto,sharp=60") == 0);
   const Unwrapped got(arraysOf(mesh), set.all);

@@ -162,8 +162,8 @@ TEST_CASE("pack layout: one texel density, as asked") {
   options.islandSizes = IslandSizes::Even;
   options.texelDensity = 500;
   const PackLayoutResult r = packed(mesh, options);
-  CHECK(lengthOf(r, 0) * options.resolution == Approx(0.2 * 500));
-  CHECK(lengthOf(r, 4) * options.resolution == Approx(0.4 * 500));
+  CHECK(lengthOf(r, 0) * options.resolution.width == Approx(0.2 * 500));
+  CHECK(lengthOf(r, 4) * options.resolution.width == Approx(0.4 * 500));
   CHECK(r.report.texelDensity == Approx(500));
 }
 

@@ -16,7 +16,7 @@ using namespace abflat::test;
 
 namespace {
 
-PackOptions at(int resolution, int padding) {
+PackOptions at(const AtlasSize& resolution, int padding) {
   PackOptions options;
   options.resolution = resolution;
   options.padding = padding;
@@ -91,6 +91,51 @@ TEST_CASE("no texel has two charts, and padding lies between them", "[pack]") {
         checkPacked(makePackShapes(kind, count, 10, static_cast<unsigned>(count)),
                     at(resolution, padding));
       }
+}
+
+TEST_CASE("a tile may be wide or high: texels are square, and padding lies between charts") {
+  const char* const kind = GENERATE("mixed", "stars", "letters", "needles");
+  for (const std::size_t count : {1, 3, 30})
+    for (const AtlasSize size : {AtlasSize(200, 100), AtlasSize(100, 200), AtlasSize(257, 101),
+                                 AtlasSize(1024, 32), AtlasSize(32, 1024)})
+      for (const int padding : {0, 2, 5}) {
+        CAPTURE(kind, count, size.width, size.height, padding);
+        checkPacked(makePackShapes(kind, count, 10, static_cast<unsigned>(count)),
+                    at(size, padding));
+      }
+}
+
+TEST_CASE("a wide tile and a high one are filled alike, and about as well as a square") {
+  for (const char* const kind : {"mixed", "letters"})
+    for (const std::size_t count : {12, 60}) {
+      CAPTURE(kind, count);
+      const std::vector<PackShape> shapes = makePackShapes(kind, count, 10, 4);
+      const double wide = packed(shapes, at({512, 256}, 2)).utilization;
+      const double high = packed(shapes, at({256, 512}, 2)).utilization;
+      const double square = packed(shapes, at(362, 2)).utilization;
+      CHECK(wide == Approx(high).epsilon(0.1));
+      CHECK(wide > 0.9 * square);
+      CHECK(high > 0.9 * square);
+    }
+}
+
+TEST_CASE("several tiles may be wide, and a chart too large for them names a size that fits") {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", 30, 10, 4);
+  PackOptions options = at({256, 128}, 2);
+  options.udim = true;
+  const Packing one = packed(shapes, at({256, 128}, 2));
+  options.texelDensity = 2 * one.texelDensity;
+  CHECK(packed(shapes, options).tiles > 1);
+  checkPacked(shapes, options);
+  options.texelDensity = 100 * one.texelDensity;
+  const Result<Packing> tight = pack(shapes, options);
+  CHECK(tight.status().code == StatusCode::AtlasTooSmall);
+  CHECK(tight.status().message.find("a tile of 256 x 128 texels") != std::string::npos);
+  options = at({16, 64}, 8);
+  const Result<Packing> crowded = pack(makePackShapes("mixed", 60, 10, 4), options);
+  CHECK(crowded.status().code == StatusCode::AtlasTooSmall);
+  CHECK(crowded.status().message.find("Raise the resolution to ") != std::string::npos);
+  CHECK(pack(shapes, at({64, 8}, 8)).status().code == StatusCode::InvalidOption);
 }
 
 TEST_CASE("the margin at the edge of the tile is as asked, whatever the padding", "[pack]") {
@@ -274,7 +319,7 @@ TEST_CASE("a density that does not fit names one, and a resolution, that do", "[
       CHECK(coarser.texelDensity > 0.9 * most);
       CHECK(complaint(shapes, packed(shapes, coarser), coarser) == "");
       finer.resolution = static_cast<int>(after("raise the resolution to ", tight.status()));
-      CHECK(finer.resolution < 1.2 * factor * 64);
+      CHECK(finer.resolution.width < 1.2 * factor * 64);
       CHECK(complaint(shapes, packed(shapes, finer), finer) == "");
     }
   }

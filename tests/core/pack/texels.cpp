@@ -39,12 +39,13 @@ bool touches(const Corner (&t)[3], int x, int y) {
 }  // namespace
 
 Texels touchedTexels(const std::vector<double>& uv, const std::vector<std::uint32_t>& triangles,
-                     double resolution) {
+                     const AtlasSize& resolution) {
   Texels out;
   for (std::size_t f = 0; f + 2 < triangles.size(); f += 3) {
     Corner t[3];
     for (std::size_t k = 0; k < 3; ++k)
-      t[k] = {uv[2 * triangles[f + k]] * resolution, uv[2 * triangles[f + k] + 1] * resolution};
+      t[k] = {uv[2 * triangles[f + k]] * resolution.width,
+              uv[2 * triangles[f + k] + 1] * resolution.height};
     const auto range = [&t](double Corner::*x) {
       const auto [least, most] = std::minmax({t[0].*x, t[1].*x, t[2].*x});
       return std::make_pair(static_cast<int>(std::ceil(least - kNear)) - 1,
@@ -74,11 +75,12 @@ std::vector<double> placed(const PackShape& shape, const Placement& placement, b
 
 std::string complaint(const std::vector<PackShape>& shapes, const Packing& packing,
                       const PackOptions& options, bool toSingle) {
-  const int side = options.resolution, padding = options.padding, margin = marginOf(options);
+  const auto [width, height] = options.resolution;
+  const int padding = options.padding, margin = marginOf(options);
   std::vector<std::vector<std::int32_t>> owner(
-      packing.tiles, std::vector<std::int32_t>(static_cast<std::size_t>(side * side), -1));
+      packing.tiles, std::vector<std::int32_t>(static_cast<std::size_t>(width * height), -1));
   const auto at = [&](const Placement& p, int x, int y) -> std::int32_t& {
-    return owner[p.tile][static_cast<std::size_t>(y * side + x)];
+    return owner[p.tile][static_cast<std::size_t>(y * options.resolution.width + x)];
   };
   std::vector<Texels> touched(shapes.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -88,10 +90,10 @@ std::string complaint(const std::vector<PackShape>& shapes, const Packing& packi
     const std::vector<double> uv = placed(shapes[i], p, toSingle);
     for (const double x : uv)
       if (!(x >= 0 && x <= 1)) return chart + " leaves its tile";
-    touched[i] = touchedTexels(uv, shapes[i].triangles, side);
+    touched[i] = touchedTexels(uv, shapes[i].triangles, options.resolution);
     for (const auto& [x, y] : touched[i]) {
       // The line that closes the last texel belongs to no texel after it.
-      if (x < 0 || y < 0 || x >= side || y >= side) {
+      if (x < 0 || y < 0 || x >= width || y >= height) {
         if (margin > 0) return chart + " touches the border";
         continue;
       }
@@ -101,10 +103,10 @@ std::string complaint(const std::vector<PackShape>& shapes, const Packing& packi
   }
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (const auto& [x, y] : touched[i]) {
-      if (std::min(x, y) < margin || std::max(x, y) >= side - margin)
+      if (std::min(x, y) < margin || x >= width - margin || y >= height - margin)
         return "chart " + std::to_string(i) + " is too near to the border";
-      for (int v = std::max(y - padding, 0); v <= std::min(y + padding, side - 1); ++v)
-        for (int u = std::max(x - padding, 0); u <= std::min(x + padding, side - 1); ++u) {
+      for (int v = std::max(y - padding, 0); v <= std::min(y + padding, height - 1); ++v)
+        for (int u = std::max(x - padding, 0); u <= std::min(x + padding, width - 1); ++u) {
           const std::int32_t other = at(packing.placements[i], u, v);
           if (other >= 0 && other != static_cast<std::int32_t>(i))
             return "chart " + std::to_string(i) + " is too near to " + std::to_string(other);

@@ -12,7 +12,7 @@ namespace abflat::test {
 /// texel. Texels that are only almost touched count as well.
 using Texels = std::vector<std::pair<int, int>>;
 Texels touchedTexels(const std::vector<double>& uv, const std::vector<std::uint32_t>& triangles,
-                     double resolution);
+                     const AtlasSize& resolution);
 
 /// The coordinates of a chart in its tile, rounded to single precision if asked.
 std::vector<double> placed(const PackShape& shape, const Placement& placement, bool toSingle);

@@ -150,7 +150,7 @@ TEST_CASE("tiny charts beside large ones are enlarged, and only they", "[certifi
   }
   for (const UnwrapChart& chart : result.report.charts)
     if (chart.firstFace < triangles) surface += chart.area;
-  const double density = 40.0 / options.resolution;
+  const double density = 40.0 / options.resolution.width;
   CHECK(area == Approx(surface * density * density).epsilon(1e-3));
 }
 

@@ -9,7 +9,11 @@ function valueWithin(random, name, { type, choices, words, ...bounds }) {
   if (type === 'boolean') return random.chance(0.5);
   if (choices) return random.pick(choices);
   if (words && random.chance(0.3)) return Object.keys(words)[0];
-  if (name === 'resolution') return random.pick([15, 16, 17, 64, 512, 2048, 32768, 32769, 64.5]);
+  if (name === 'resolution')
+    return random.pick([
+      ...[15, 16, 17, 64, 512, 2048, 32768, 32769, 64.5],
+      ...[[64, 300], [512, 64], [64, 15], [64], [64, 64, 64], ['64', 64]],
+    ]);
   if (name === 'padding') return random.pick([-1, 0, 1, 7, 256, 257]);
   const low = bounds.above ?? bounds.atLeast ?? 0;
   const steps = [-1, 0, 1e-320, 1e-9, 0.01, 0.3, 1, 2, 50, 1e6, 1e300, Number.MAX_VALUE];
@@ -100,9 +104,9 @@ const OF_PACKAGE = {
   load: {},
   bake: {
     kind: (random) => random.pick(['colour', 'data', 'normal']),
-    bakeResolution: (random) => random.pick([16, 16, 32, 15, 20000]),
+    bakeResolution: (random) => random.pick([16, 16, 32, 15, 20000, [16, 32], [16, 15]]),
     padding: (random) => random.pick([0, 2, 256, 257]),
-    layoutResolution: (random) => random.pick(['none', 1, 64, 0]),
+    layoutResolution: (random) => random.pick(['none', 1, 64, 0, [64, 128]]),
     onProgress,
   },
   sample: { detail: (random) => random.pick([1, 1, 2.5, 0, -1, Number.NaN, 1e300, 5n]) },

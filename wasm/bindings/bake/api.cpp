@@ -81,11 +81,11 @@ EMSCRIPTEN_KEEPALIVE void abflatSource(BakeJob* job, std::uint32_t texture, doub
 }
 
 /// Sets what is not an array; to be called before textures are added.
-EMSCRIPTEN_KEEPALIVE void abflatSettings(BakeJob* job, int kind, int resolution,
-                                         int layoutResolution, int padding, bool isOpaque) {
+EMSCRIPTEN_KEEPALIVE void abflatSettings(BakeJob* job, int kind, double resolution,
+                                         double layoutResolution, int padding, bool isOpaque) {
   job->kind = static_cast<ImageKind>(kind);
-  job->resolution = resolution;
-  job->layoutResolution = layoutResolution;
+  job->resolution = abflat::atlasSize(resolution, true);
+  job->layoutResolution = abflat::atlasSize(layoutResolution, true);
   job->padding = padding;
   job->isOpaque = isOpaque;
 }
@@ -96,7 +96,8 @@ EMSCRIPTEN_KEEPALIVE int abflatBake(BakeJob* job) {
   return static_cast<int>(status.code);
 }
 
-EMSCRIPTEN_KEEPALIVE int abflatSide(const BakeJob* job) { return job->side; }
+EMSCRIPTEN_KEEPALIVE int abflatWidth(const BakeJob* job) { return job->size.width; }
+EMSCRIPTEN_KEEPALIVE int abflatHeight(const BakeJob* job) { return job->size.height; }
 
 /// RGBA of 8 bits, rows from the top.
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* abflatPixels(const BakeJob* job) {

@@ -1,6 +1,5 @@
 #include "bake/bake_job.h"
 
-#include <cmath>
 #include <utility>
 
 #include "bake/bake_corners.h"
@@ -28,10 +27,10 @@ BakeOptions optionsOf(const BakeJob& job) {
   BakeOptions out;
   out.kind = job.kind == ImageKind::Normal ? MapKind::Normal : MapKind::Colour;
   out.space = job.kind == ImageKind::Colour ? ColourSpace::Srgb : ColourSpace::Linear;
-  out.width = out.height = static_cast<std::uint32_t>(job.side);
+  out.width = static_cast<std::uint32_t>(job.size.width);
+  out.height = static_cast<std::uint32_t>(job.size.height);
   out.background = backgroundOf(job);
-  const double scale = job.layoutResolution == 0 ? 1 : double(job.side) / job.layoutResolution;
-  out.padding = static_cast<std::uint32_t>(std::ceil(job.padding * scale));
+  out.padding = bakePadding(job.padding, job.size, job.layoutResolution);
   return out;
 }
 
@@ -47,7 +46,7 @@ Status bakeJob(BakeJob& job, const ProgressCallback& progress) {
       return {StatusCode::InvalidMesh, "triangle " + std::to_string(f) + " uses source " +
                                            std::to_string(source) + ", but there " +
                                            countedSources(input.materials.size())};
-  job.side = job.resolution == 0 ? bakeSide(input, job.layoutResolution) : job.resolution;
+  job.size = bakeSize(input, job.resolution, job.layoutResolution);
   if (job.kind == ImageKind::Normal)
     if (Status s = addFrames(job, isTurned, input.triangles); !s.ok()) return s;
   const BakeOptions options = optionsOf(job);

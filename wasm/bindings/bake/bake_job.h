@@ -36,17 +36,17 @@ struct BakeJob {
   std::vector<BakeMaterial> materials;
 
   ImageKind kind = ImageKind::Colour;
-  int resolution = 0;        ///< side of the new image, 0: as BakeInput says
-  int layoutResolution = 0;  ///< side that padding is for, 0: that of the new image
+  AtlasSize resolution;        ///< of the new image, as bakeSize() takes it
+  AtlasSize layoutResolution;  ///< that the layout was packed for; 0 x 0: unknown
   int padding = 0;
   bool isOpaque = false;  ///< no texel is transparent, so those that nothing fills are not
 
   std::vector<std::uint8_t> pixels;  ///< RGBA of 8 bits
-  int side = 0;
+  AtlasSize size;
   std::string text;  ///< message of an error
 };
 
-/// Fills pixels and side. Errors: InvalidMesh, and those of bake.
+/// Fills pixels and size. Errors: InvalidMesh, and those of bake.
 Status bakeJob(BakeJob& job, const ProgressCallback& progress);
 
 }  // namespace abflat::bindings

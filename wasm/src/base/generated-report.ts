@@ -339,8 +339,12 @@ export interface UnwrapChart {
 
 /** How the charts were packed. */
 export interface AtlasReport {
-  /** Texels along a side of a tile. */
+  /** Texels along the longer side of a tile. */
   resolution: number;
+  /** Texels of a tile from u = 0 to 1. */
+  width: number;
+  /** Texels of a tile from v = 0 to 1. */
+  height: number;
   /** Texels between charts. */
   padding: number;
   /** Texels between charts and the edge of their tile. */
@@ -463,8 +467,12 @@ export interface PackReport {
   utilizationBefore: number;
   /** Share of the tiles that they cover now. */
   utilization: number;
-  /** Texels along a side of a tile. */
+  /** Texels along the longer side of a tile. */
   resolution: number;
+  /** Texels of a tile from u = 0 to 1. */
+  width: number;
+  /** Texels of a tile from v = 0 to 1. */
+  height: number;
   /** Texels between islands. */
   padding: number;
   /** Texels between islands and the edge of their tile. */

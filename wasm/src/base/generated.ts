@@ -118,7 +118,7 @@ export interface UnwrapOptionValues {
   t: number | 'auto';
   straightSeams: boolean;
   rectify: Rectify;
-  resolution: number;
+  resolution: number | readonly [width: number, height: number];
   padding: number;
   margin: number | 'auto';
   texelDensity: number | 'auto';
@@ -132,7 +132,7 @@ export interface UnwrapOptionValues {
   threads: number;
 }
 
-export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> = {
+export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> & { readonly resolution: number } = {
   maxStretch: 1.02,
   maxSheared: 'auto',
   frontLeeway: 14,
@@ -171,7 +171,7 @@ export const UNWRAP_OPTIONS = {
   t: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)', range: 'above 0, or auto' },
   straightSeams: { type: 'boolean', default: false, text: 'make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved', range: '' },
   rectify: { type: 'choice', default: 'auto', choices: ['auto', 'never', 'always'], text: 'whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that hardly stretches, and stays within the bound of stretch; never = leave outlines as they come out; always = however much that stretches', range: 'auto, never, always' },
-  resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels', range: 'at least 16 and at most 32768, whole' },
+  resolution: { type: 'size', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels, or its width and height', range: 'at least 16 and at most 32768, whole, or two of these, as in [2048, 1024]' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between charts, and between far parts of one chart', range: 'at least 0 and at most 256, whole' },
   margin: { type: 'integer', default: 'auto', atLeast: 0, atMost: 256, words: { auto: -1 }, text: 'free texels between charts and the edge of their tile (auto = half the padding, rounded up)', range: 'at least 0 and at most 256, whole, or auto' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
@@ -189,7 +189,7 @@ export type IslandSizes = 'keep' | 'even';
 
 /** The options of packing a layout that are plain values, with their defaults. */
 export interface PackOptionValues {
-  resolution: number;
+  resolution: number | readonly [width: number, height: number];
   padding: number;
   margin: number | 'auto';
   texelDensity: number | 'auto';
@@ -200,7 +200,7 @@ export interface PackOptionValues {
   threads: number;
 }
 
-export const PACK_DEFAULTS: Readonly<PackOptionValues> = {
+export const PACK_DEFAULTS: Readonly<PackOptionValues> & { readonly resolution: number } = {
   resolution: 1024,
   padding: 2,
   margin: 'auto',
@@ -214,7 +214,7 @@ export const PACK_DEFAULTS: Readonly<PackOptionValues> = {
 
 /** Type, default, bounds and help text of every option, in the order of the C++ side; `range` says the bounds in words. */
 export const PACK_OPTIONS = {
-  resolution: { type: 'integer', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels', range: 'at least 16 and at most 32768, whole' },
+  resolution: { type: 'size', default: 1024, atLeast: 16, atMost: 32768, text: 'side of the texture in texels, or its width and height', range: 'at least 16 and at most 32768, whole, or two of these, as in [2048, 1024]' },
   padding: { type: 'integer', default: 2, atLeast: 0, atMost: 256, text: 'free texels between islands', range: 'at least 0 and at most 256, whole' },
   margin: { type: 'integer', default: 'auto', atLeast: 0, atMost: 256, words: { auto: -1 }, text: 'free texels between islands and the edge of their tile (auto = half the padding, rounded up)', range: 'at least 0 and at most 256, whole, or auto' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },

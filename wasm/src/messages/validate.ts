@@ -196,12 +196,23 @@ function optionNumber(name: string, value: unknown, rule: OptionRule): number {
     if (index >= 0) return index;
     throw invalid(`${name} must be one of ${rule.range}, not ${shown(value)}.`);
   }
+  if (rule.type === 'size' && Array.isArray(value)) return sizeNumber(name, value, rule);
   if (typeof value === 'string' && rule.words && Object.hasOwn(rule.words, value))
     return rule.words[value] as number;
   checkNumber(name, value, rule);
-  if (rule.type === 'integer' && !Number.isInteger(value))
+  if (rule.type !== 'number' && !Number.isInteger(value))
     throw invalid(`${name} must be a number ${rule.range}, not ${value}.`);
   return value as number;
+}
+
+/** One number for a width and a height: kHeightUnit of the module. */
+function sizeNumber(name: string, sides: unknown[], { words: _, ...rule }: OptionRule): number {
+  if (sides.length !== 2)
+    throw invalid(`${name} must be a number ${rule.range}, not ${sides.length} numbers.`);
+  const [width, height] = Array.from(sides, (side) =>
+    optionNumber(name, side, { ...rule, type: 'integer' }),
+  ) as [number, number];
+  return width + 65536 * height;
 }
 
 /** All options of flattening, in the order of FLATTEN_OPTIONS. */

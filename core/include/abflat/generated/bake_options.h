@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "abflat/atlas_size.h"
 #include "abflat/generated/pack_options.h"
 
 namespace abflat {
@@ -30,12 +31,12 @@ inline const char* nameOf(ImageFormat code) {
 }
 
 /// "auto" as a value of the option bakeResolution.
-constexpr int kAutoBakeResolution = 0;
+constexpr AtlasSize kAutoBakeResolution = 0;
 
 /// The options of baking that are plain values, with their defaults.
 struct BakeOptionValues {
-  /// side of the new images in texels (auto = for each map the power of two that is nearest to the texels of the old images, or that of the layout if there are none)
-  int bakeResolution = 0;
+  /// size of the new images in texels; of a number, the longer side of an image in the shape of the layout (auto = for each map the power of two that is nearest to the texels of the old images, or that of the layout if there are none)
+  AtlasSize bakeResolution = 0;
   /// format of the new images: png = without loss; jpeg = smaller, with loss; an image with alpha becomes a PNG; webp = smaller still; programs need EXT_texture_webp
   ImageFormat imageFormat = ImageFormat::Png;
   /// quality of JPEG and WebP; with 100 WebP loses nothing
@@ -48,7 +49,7 @@ struct BakeOptionValues {
 
 inline OptionInfos optionInfos(const BakeOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
-    {"bakeResolution", "--bake-resolution", "auto", "at least 16 and at most 8192, whole, or auto", "side of the new images in texels (auto = for each map the power of two that is nearest to the texels of the old images, or that of the layout if there are none)", false, false},
+    {"bakeResolution", "--bake-resolution", "auto", "at least 16 and at most 8192, whole, or two of these, as in 2048x1024, or auto", "size of the new images in texels; of a number, the longer side of an image in the shape of the layout (auto = for each map the power of two that is nearest to the texels of the old images, or that of the layout if there are none)", false, false},
     {"imageFormat", "--image-format", "png", "png, jpeg, webp", "format of the new images: png = without loss; jpeg = smaller, with loss; an image with alpha becomes a PNG; webp = smaller still; programs need EXT_texture_webp", false, true},
     {"imageQuality", "--image-quality", "90", "at least 1 and at most 100, whole", "quality of JPEG and WebP; with 100 WebP loses nothing", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "texels around charts that take the colour of the nearest texel within", false, false},
@@ -62,10 +63,12 @@ inline OptionInfos optionInfos(const BakeOptionValues&) {
 inline bool setOption(BakeOptionValues& options, int index, double value,
                       [[maybe_unused]] bool isWord = true) {
   switch (index) {
-    case 0:
-      if (!(((value >= 16 && value <= 8192) || (isWord && value == 0)) && value == std::trunc(value))) return false;
-      options.bakeResolution = static_cast<int>(value);
+    case 0: {
+      const AtlasSize size = atlasSize(value, isWord);
+      if (!((size.shorter() >= 16 && size.longer() <= 8192) || (isWord && value == 0))) return false;
+      options.bakeResolution = size;
       return true;
+    }
     case 1:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.imageFormat = static_cast<ImageFormat>(static_cast<int>(value));
@@ -89,6 +92,7 @@ inline bool setOption(BakeOptionValues& options, int index, double value,
 /// The number that stands for a word ("auto") or a choice of an option.
 inline double wordValue(const BakeOptionValues&, int index, std::string_view text, bool& found) {
   if (index == 0 && text == "auto") return found = true, 0;
+  if (index == 0) return atlasSizeValue(text, found);
   if (index == 1 && text == "png") return found = true, 0;
   if (index == 1 && text == "jpeg") return found = true, 1;
   if (index == 1 && text == "webp") return found = true, 2;

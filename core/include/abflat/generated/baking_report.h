@@ -15,8 +15,12 @@ struct BakedMap {
   /// What it holds: baseColor, metallicRoughness with occlusion in red, occlusion, normal or
   /// emissive; of an OBJ: diffuse, opacity, roughness and so on.
   std::string map;
-  /// Texels along a side.
+  /// Texels along the longer side.
   int resolution = 0;
+  /// Texels of a row.
+  int width = 0;
+  /// Number of rows.
+  int height = 0;
   /// The format of its file.
   ImageFormat format = ImageFormat::Png;
   /// Size of its file.
@@ -27,6 +31,8 @@ template <class Visitor>
 void visitFields(const BakedMap& r, Visitor& v) {
   v.field("map", r.map);
   v.field("resolution", r.resolution);
+  v.field("width", r.width);
+  v.field("height", r.height);
   v.field("format", r.format);
   v.field("bytes", r.bytes);
 }

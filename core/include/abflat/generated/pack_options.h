@@ -29,8 +29,8 @@ inline const char* nameOf(IslandSizes code) {
 
 /// The options of packing a layout that are plain values, with their defaults.
 struct PackOptionValues {
-  /// side of the texture in texels
-  int resolution = 1024;
+  /// side of the texture in texels, or its width and height
+  AtlasSize resolution = 1024;
   /// free texels between islands
   int padding = 2;
   /// free texels between islands and the edge of their tile (auto = half the padding, rounded up)
@@ -51,7 +51,7 @@ struct PackOptionValues {
 
 inline OptionInfos optionInfos(const PackOptionValues&) {
   static constexpr OptionInfo kInfos[] = {
-    {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
+    {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole, or two of these, as in 2048x1024", "side of the texture in texels, or its width and height", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between islands", false, false},
     {"margin", "--margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between islands and the edge of their tile (auto = half the padding, rounded up)", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
@@ -69,10 +69,12 @@ inline OptionInfos optionInfos(const PackOptionValues&) {
 inline bool setOption(PackOptionValues& options, int index, double value,
                       [[maybe_unused]] bool isWord = true) {
   switch (index) {
-    case 0:
-      if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
-      options.resolution = static_cast<int>(value);
+    case 0: {
+      const AtlasSize size = atlasSize(value, isWord);
+      if (!((size.shorter() >= 16 && size.longer() <= 32768))) return false;
+      options.resolution = size;
       return true;
+    }
     case 1:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
@@ -111,6 +113,7 @@ inline bool setOption(PackOptionValues& options, int index, double value,
 
 /// The number that stands for a word ("auto") or a choice of an option.
 inline double wordValue(const PackOptionValues&, int index, std::string_view text, bool& found) {
+  if (index == 0) return atlasSizeValue(text, found);
   if (index == 2 && text == "auto") return found = true, -1;
   if (index == 3 && text == "auto") return found = true, 0;
   if (index == 5 && text == "auto") return found = true, 0;

@@ -81,8 +81,12 @@ struct PackReport {
   double utilizationBefore = 0;
   /// Share of the tiles that they cover now.
   double utilization = 0;
-  /// Texels along a side of a tile.
+  /// Texels along the longer side of a tile.
   int resolution = 0;
+  /// Texels of a tile from u = 0 to 1.
+  int width = 0;
+  /// Texels of a tile from v = 0 to 1.
+  int height = 0;
   /// Texels between islands.
   int padding = 0;
   /// Texels between islands and the edge of their tile.
@@ -127,6 +131,8 @@ void visitFields(const PackReport& r, Visitor& v) {
   v.field("utilizationBefore", r.utilizationBefore);
   v.field("utilization", r.utilization);
   v.field("resolution", r.resolution);
+  v.field("width", r.width);
+  v.field("height", r.height);
   v.field("padding", r.padding);
   v.field("margin", r.margin);
   v.field("tiles", r.tiles);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "abflat/atlas_size.h"
 #include "abflat/generated/flatten_options.h"
 
 namespace abflat {
@@ -192,8 +193,8 @@ struct UnwrapOptionValues {
   bool straightSeams = false;
   /// whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that hardly stretches, and stays within the bound of stretch; never = leave outlines as they come out; always = however much that stretches
   Rectify rectify = Rectify::Auto;
-  /// side of the texture in texels
-  int resolution = 1024;
+  /// side of the texture in texels, or its width and height
+  AtlasSize resolution = 1024;
   /// free texels between charts, and between far parts of one chart
   int padding = 2;
   /// free texels between charts and the edge of their tile (auto = half the padding, rounded up)
@@ -231,7 +232,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"t", "--t", "auto", "above 0, or auto", "boundary control coefficient: every interior angle of the boundary is at most t*pi (1 = convex; 2 or more = free boundary, classic ABF; auto = free, or the bounds of least distortion if a free boundary would cross itself)", false, false},
     {"straightSeams", "--straight-seams", "false", "", "make seams and boundaries straight in the atlas, from junction to junction and corner to corner; curves that turn by more than 90 degrees in all, such as the rim of a round lid, stay curved", true, false},
     {"rectify", "--rectify", "auto", "auto, never, always", "whether outlines that are nearly straight become exactly so, and strips rectangles: auto = where that hardly stretches, and stays within the bound of stretch; never = leave outlines as they come out; always = however much that stretches", false, true},
-    {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole", "side of the texture in texels", false, false},
+    {"resolution", "--resolution", "1024", "at least 16 and at most 32768, whole, or two of these, as in 2048x1024", "side of the texture in texels, or its width and height", false, false},
     {"padding", "--padding", "2", "at least 0 and at most 256, whole", "free texels between charts, and between far parts of one chart", false, false},
     {"margin", "--margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between charts and the edge of their tile (auto = half the padding, rounded up)", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
@@ -296,10 +297,12 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.rectify = static_cast<Rectify>(static_cast<int>(value));
       return true;
-    case 11:
-      if (!((value >= 16 && value <= 32768) && value == std::trunc(value))) return false;
-      options.resolution = static_cast<int>(value);
+    case 11: {
+      const AtlasSize size = atlasSize(value, isWord);
+      if (!((size.shorter() >= 16 && size.longer() <= 32768))) return false;
+      options.resolution = size;
       return true;
+    }
     case 12:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.padding = static_cast<int>(value);
@@ -363,6 +366,7 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 10 && text == "auto") return found = true, 0;
   if (index == 10 && text == "never") return found = true, 1;
   if (index == 10 && text == "always") return found = true, 2;
+  if (index == 11) return atlasSizeValue(text, found);
   if (index == 13 && text == "auto") return found = true, -1;
   if (index == 14 && text == "auto") return found = true, 0;
   if (index == 16 && text == "auto") return found = true, 0;

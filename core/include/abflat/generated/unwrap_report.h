@@ -166,8 +166,12 @@ void visitFields(const UnwrapChart& r, Visitor& v) {
 
 /// How the charts were packed.
 struct AtlasReport {
-  /// Texels along a side of a tile.
+  /// Texels along the longer side of a tile.
   int resolution = 0;
+  /// Texels of a tile from u = 0 to 1.
+  int width = 0;
+  /// Texels of a tile from v = 0 to 1.
+  int height = 0;
   /// Texels between charts.
   int padding = 0;
   /// Texels between charts and the edge of their tile.
@@ -195,6 +199,8 @@ struct AtlasReport {
 template <class Visitor>
 void visitFields(const AtlasReport& r, Visitor& v) {
   v.field("resolution", r.resolution);
+  v.field("width", r.width);
+  v.field("height", r.height);
   v.field("padding", r.padding);
   v.field("margin", r.margin);
   v.field("tiles", r.tiles);

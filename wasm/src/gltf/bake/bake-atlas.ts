@@ -22,7 +22,7 @@ export interface NewImage {
   /** The first is its name: occlusion may be the red of another. */
   maps: MapName[];
   /** In texels. */
-  side: number;
+  size: Size;
   file: ImageFile;
 }
 
@@ -34,6 +34,8 @@ export interface NewLook {
   emissiveStrength: number;
 }
 
+type Size = readonly [width: number, height: number];
+
 export async function bakeAtlas(
   abflat: AnyAbflat<'bake'>,
   corners: AtlasCorners,
@@ -43,16 +45,16 @@ export async function bakeAtlas(
   const looks = materials.map(lookOf);
   const { plans, emissiveStrength } = planMaps(looks, haveColours(corners));
   const { oldImages, encode, onProgress, bakeResolution, ...common } = settings;
-  const bakeMap = async (plan: MapPlan, side?: number): Promise<BakedImage> => {
+  const bakeMap = async (plan: MapPlan, size?: Size): Promise<BakedImage> => {
     const mesh = meshFor(corners, plan.name, materials);
     const before = plans.indexOf(plan);
     return abflat.bake(mesh, corners.layout, await sourcesOf(plan, looks, oldImages), {
       ...common,
-      bakeResolution: side ?? bakeResolution,
+      bakeResolution: size ?? bakeResolution,
       kind: plan.kind,
       // What is done again for its size is not counted.
       ...(onProgress &&
-        side === undefined && {
+        size === undefined && {
           onProgress: ({ fraction }) => onProgress((before + fraction) / plans.length),
         }),
     });
@@ -89,14 +91,14 @@ type Image = Pick<NewImage, 'maps'> & { pixels: BakedImage };
 /** Metals, roughness and occlusion are one image, so they have one size. */
 async function joinOcclusion(
   baked: Map<MapPlan, BakedImage>,
-  bakeMap: (plan: MapPlan, side: number) => Promise<BakedImage>,
+  bakeMap: (plan: MapPlan, size: Size) => Promise<BakedImage>,
 ): Promise<Image[]> {
   const plans = [...baked.keys()];
   const whole = plans.find(({ name }) => name === 'metallicRoughness');
   const red = plans.find(({ name }) => name === 'occlusion');
-  const sized = async (plan: MapPlan, side: number) => {
+  const sized = async (plan: MapPlan, size: Size) => {
     const image = baked.get(plan) as BakedImage;
-    return image.width === side ? image : bakeMap(plan, side);
+    return image.width === size[0] ? image : bakeMap(plan, size);
   };
   const images: Image[] = [];
   for (const plan of plans) {
@@ -104,8 +106,10 @@ async function joinOcclusion(
     if (!whole || !red || (plan !== whole && plan !== red)) {
       images.push({ maps: [plan.name], pixels });
     } else if (plan === whole) {
-      const side = Math.max(pixels.width, (baked.get(red) as BakedImage).width);
-      const joined = withRed(await sized(whole, side), await sized(red, side));
+      const other = baked.get(red) as BakedImage;
+      const { width, height } = other.width > pixels.width ? other : pixels;
+      const size: Size = [width, height];
+      const joined = withRed(await sized(whole, size), await sized(red, size));
       images.push({ maps: [whole.name, red.name], pixels: joined });
     }
   }
@@ -122,7 +126,11 @@ async function encodeAll(images: Image[], encode: EncodeImage): Promise<NewImage
   const out: NewImage[] = [];
   for (const { maps, pixels } of images) {
     const name = maps[0] as MapName;
-    out.push({ maps, side: pixels.width, file: await encodeOne(pixels, name, encode) });
+    out.push({
+      maps,
+      size: [pixels.width, pixels.height],
+      file: await encodeOne(pixels, name, encode),
+    });
   }
   return out;
 }

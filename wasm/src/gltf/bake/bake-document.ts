@@ -2,6 +2,7 @@
 
 import type { Document } from '@gltf-transform/core';
 import { AbflatError } from '../../base/errors.js';
+import type { UnwrapOptionValues } from '../../base/generated.js';
 import type { AnyAbflat, BakeOptions, Layout } from '../../types/index.js';
 import type { DocumentPart } from '../document-mesh.js';
 import { keptTexcoords } from '../texture-sets.js';
@@ -16,17 +17,18 @@ export interface LaidAtlas {
   parts: DocumentPart[];
   result: Pick<Layout<{ notes: string[] }>, 'uv' | 'indices' | 'report'>;
   turnedFaces?: readonly number[];
-  /** In texels, and the side of the image that they are of; undefined: of the new ones. */
+  /** In texels, and the size of the image that they are of; undefined: of the new ones. */
   padding: number;
-  resolution: number | undefined;
+  resolution: UnwrapOptionValues['resolution'] | undefined;
 }
 
 export interface BakeDocumentOptions {
   /**
-   * Side of the new images in texels. Default: `auto`, for each map the power of two that is nearest
-   * to the texels of the old images, or that of the layout if there are none.
+   * Size of the new images in texels; a number is the longer side of images in the shape of the
+   * layout. Default: `auto`, for each map the power of two that is nearest to the texels of the old
+   * images, or that of the layout if there are none.
    */
-  bakeResolution?: number | 'auto';
+  bakeResolution?: BakeOptions['bakeResolution'];
   /**
    * Turns an image file into pixels of 8 bits, with colours that are not multiplied by alpha. By
    * default browsers do it; Node has nothing that could.

@@ -16,6 +16,9 @@ export interface BakedTexture {
   /** Maps of the materials that it holds. */
   maps: MapName[];
   /** In texels. */
+  width: number;
+  height: number;
+  /** The longer one of these. */
   side: number;
 }
 
@@ -29,10 +32,12 @@ export function putLook(
   look: NewLook,
   texcoord: number,
 ): BakedTexture[] {
-  const baked = look.images.map(({ maps, side, file: { bytes, mimeType } }) => ({
+  const baked = look.images.map(({ maps, size: [width, height], file: { bytes, mimeType } }) => ({
     texture: document.createTexture(maps[0]).setImage(new Uint8Array(bytes)).setMimeType(mimeType),
     maps,
-    side,
+    width,
+    height,
+    side: Math.max(width, height),
   }));
   const made: Material[] = [];
   const replaced = new Map<Material | null, Material>();
