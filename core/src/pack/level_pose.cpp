@@ -18,7 +18,7 @@ constexpr double kAlikeBearing = 1e-9;
 /// Edges within that of a direction are straight along it.
 constexpr double kStraight = kDegree + kAlikeBearing;
 /// Fewer edges than this share make no direction.
-constexpr double kLeastShare = 0.1;
+constexpr double kLeastOfOutline = 0.1;
 /// A shape that gains less height per length lies flat: the sine of 15 degrees.
 constexpr double kLeastSlope = 0.2588;
 
@@ -94,7 +94,7 @@ std::vector<Bearing> straightBearings(std::vector<Bearing> bearings) {
       }
       sum -= bearings[i].share;
     }
-    if (best < kLeastShare - kAlikeBearing) break;
+    if (best < kLeastOfOutline - kAlikeBearing) break;
     out.push_back({middleOf(bearings, from, to, best), best});
     std::vector<Bearing> others;
     for (std::size_t i = 0; i < bearings.size(); ++i)
@@ -166,7 +166,7 @@ LevelPose levelPose(const Loops& loops, const std::vector<PlanePoint>& hull, Pla
     Pose level;
     level.cos = by.cos;
     level.sin = -by.sin;
-    const bool agrees = out.isUpright && direction.share >= kLeastShare - kAlikeBearing &&
+    const bool agrees = out.isUpright && direction.share >= kLeastOfOutline - kAlikeBearing &&
                         isAlong(direction.angle, upright);
     for (int quarter = 0; quarter < 4; ++quarter) {
       Candidate now;
