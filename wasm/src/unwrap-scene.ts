@@ -7,6 +7,7 @@ import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkBoolean, checkString, optionsOf } from './messages/validate.js';
 import { checkWeights, densitiesFor, type Weights } from './messages/weights.js';
 import { type PresetOptions, withPreset } from './preset.js';
+import { assignBatched, checkRoom, isBatched, likeBatched } from './three/batched.js';
 import { withPartOf } from './three/put-layout.js';
 import { type ScenePart, sceneMesh } from './three/scene-mesh.js';
 import { sharingNotes, subjectsBelow } from './three/scene-objects.js';
@@ -47,6 +48,8 @@ export interface UnwrapSceneOptions
 /** What a mesh of the scene gets. */
 export interface UnwrappedMesh {
   mesh: Mesh;
+  /** Which geometry of a BatchedMesh this is; not there for other meshes. */
+  geometryId?: number;
   /** With the new coordinates. */
   geometry: BufferGeometry;
   /** The one that the mesh had, which may be disposed of if nothing else uses it. */
@@ -90,8 +93,17 @@ export async function unwrapScene(
   });
   result.report.notes.unshift(...sharingNotes(subjects, ownTexels));
   const meshes = parts.flatMap((part) => unwrappedOf(part, withPartOf(result, part, attribute)));
-  if (assign) for (const { mesh, geometry } of meshes) mesh.geometry = geometry;
+  if (assign) assignAll(meshes, attribute);
   return { result, meshes };
+}
+
+/** All of them, or none if one has no room. */
+function assignAll(meshes: readonly UnwrappedMesh[], attribute: string): void {
+  for (const { mesh, geometry, geometryId } of meshes)
+    if (isBatched(mesh)) checkRoom(mesh, geometryId as number, geometry);
+  for (const { mesh, geometry, geometryId } of meshes)
+    if (isBatched(mesh)) assignBatched(mesh, geometryId as number, geometry, attribute);
+    else mesh.geometry = geometry;
 }
 
 /** What is kept comes from the attribute that is written. */
@@ -123,11 +135,12 @@ const OF_ONE_GEOMETRY = [
   'keepsPlaces',
 ] as const satisfies OfOneGeometry[];
 
-function unwrappedOf(part: ScenePart, geometry: BufferGeometry): UnwrappedMesh[] {
-  const { firstTriangle, triangleCount, worldScale, geometry: previous } = part;
+function unwrappedOf(part: ScenePart, made: BufferGeometry): UnwrappedMesh[] {
+  const { firstTriangle, triangleCount, worldScale, geometry: previous, geometryId } = part;
   return part.meshes.map((mesh) => ({
     mesh,
-    geometry,
+    ...(geometryId !== undefined && { geometryId }),
+    geometry: isBatched(mesh) ? likeBatched(mesh, made) : made,
     previous,
     firstTriangle,
     triangleCount,
