@@ -40,7 +40,7 @@ test('npm pack contains the licences, the changes, an example and no sources', (
     // For tools that do not read "exports".
     ...['gltf', 'sync', 'three', 'watlas'].map((name) => `${name}/package.json`),
     'dist/index.d.ts',
-    ...['abflat', 'abflat-simd', 'abflat-threads', 'abflat-pack', 'abflat-bake'].map(
+    ...['abflat-simd', 'abflat-threads', 'abflat-pack', 'abflat-bake'].map(
       (name) => `dist/${name}.wasm`,
     ),
   ]) {

@@ -39,7 +39,7 @@ export async function now(bytes: Uint8Array, module: object): Promise<UnwrapResu
   const mesh = abflat.sample('head');
   const layout: UnwrapResult = abflat.unwrap(mesh, { padding: 4, onProgress: ({ stage }) => void stage });
   await createAbflat({ workers: 2, queue: 4, wasmUrl: bytes });
-  await Initialize({ wasmUrl: '/abflat.wasm' });
+  await Initialize({ wasmUrl: '/abflat-simd.wasm' });
   const decl: MeshDecl = { vertexCount: 3, vertexPositionData: new Float32Array(9), vertexPositionStride: 12 };
   const atlas: Atlas = new Atlas();
   atlas.addMesh(decl);

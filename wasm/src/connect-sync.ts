@@ -5,7 +5,7 @@ import createPack from './abflat-pack.js';
 import { bakeCall } from './bake-call.js';
 import { BakeEngine } from './bake-engine.js';
 import { buildOf } from './base/build-of.js';
-import { hasVectors, type LateName, type LocalName } from './base/builds.js';
+import type { LateName, LocalName } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
 import { MAX_MEMORY } from './base/memory.js';
 import {
@@ -22,10 +22,9 @@ import { Engine } from './engine.js';
 import { fileIn, wasmName } from './file-in.js';
 import { type Placed, withModules, withoutModules } from './given-modules.js';
 import type { CreateModule } from './glue.js';
-import { plain } from './glue-plain.js';
 import { simd } from './glue-simd.js';
 import type { Instance } from './instantiate.js';
-import { checkFound, checkVersion, lateModule, moduleFrom } from './load-module.js';
+import { checkVersion, lateModule, moduleFrom } from './load-module.js';
 import { LocalModule, type Runner, starterOf } from './local-module.js';
 import type { Description } from './messages/protocol.js';
 import {
@@ -123,20 +122,16 @@ async function startMain(
 ): Promise<LocalModule> {
   checkBuild(build);
   if (build === 'threads') throw noThreads();
-  const wanted = build ?? (hasVectors() ? 'simd' : 'plain');
-  const source = wasmUrl ?? fileIn(files, baseUrl, wasmName(wanted));
-  const module = await tellingHow('wasmUrl', source, moduleFrom(files, wanted, source));
-  const found = buildOf(module);
-  if (found === 'threads') throw noThreads();
-  checkFound(found, build, source);
-  const { create } = { plain, simd }[found];
-  return LocalModule.start(starterOf(module, maxMemory, create, Engine.of));
+  const source = wasmUrl ?? fileIn(files, baseUrl, wasmName('simd'));
+  const module = await tellingHow('wasmUrl', source, moduleFrom(files, 'simd', source));
+  if (buildOf(module) === 'threads') throw noThreads();
+  return LocalModule.start(starterOf(module, maxMemory, simd.create, Engine.of));
 }
 
 const noThreads = () =>
   new AbflatError(
     'InvalidOption',
-    'The threads build cannot run in the calling thread. Use simd or plain, or createAbflat.',
+    'The threads build cannot run in the calling thread. Use simd, or createAbflat.',
   );
 
 /** Some hosts cannot read files: they import modules, which can be handed over. */

@@ -63,8 +63,6 @@ function openWorker(name: ModuleName, address?: Address): Worker {
  */
 function openOwnWorker(name: ModuleName): Worker {
   switch (name) {
-    case 'plain':
-      return new Worker(new URL('./worker-plain.js', import.meta.url), { type: 'module' });
     case 'simd':
       return new Worker(new URL('./worker-simd.js', import.meta.url), { type: 'module' });
     case 'threads':

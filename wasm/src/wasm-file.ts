@@ -12,8 +12,6 @@ export function wasmFile(name: ModuleName): URL {
       'A bundle that is not an ES module cannot find its files. Pass baseUrl to createAbflat.',
     );
   switch (name) {
-    case 'plain':
-      return new URL('./abflat.wasm', import.meta.url);
     case 'simd':
       return new URL('./abflat-simd.wasm', import.meta.url);
     case 'threads':

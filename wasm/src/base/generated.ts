@@ -22,6 +22,7 @@ export const STATUS_NAMES = [
   'Internal',
   'AtlasTooSmall',
   'NoTexcoords',
+  'UnsupportedHost',
 ] as const;
 
 export type StatusName = (typeof STATUS_NAMES)[number];
@@ -48,6 +49,7 @@ export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; read
   Internal: { exit: 4, text: 'a bug in abflat; please report it with the mesh' },
   AtlasTooSmall: { exit: 4, text: 'the charts do not fit the atlas; the message names a resolution or texel density at which they fit' },
   NoTexcoords: { exit: 4, text: 'no face of the mesh has texcoords, so it has no layout to pack' },
+  UnsupportedHost: { exit: 4, text: 'the npm package only: WebAssembly, or its 128-bit vectors (SIMD), are missing, as in browsers before Chrome 91, Firefox 89 and Safari 16.4' },
 };
 
 export type Untangle = 'auto' | 'none' | 'local' | 'global' | 'best';
