@@ -1,10 +1,7 @@
 import type { ModuleName } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
 
-/**
- * Bundlers find the files by exactly these expressions. Not in builds.ts, which the worker also
- * loads.
- */
+/** For Node. Bundlers find the files by exactly these expressions. */
 export function wasmFile(name: ModuleName): URL {
   if (!import.meta.url)
     throw new AbflatError(

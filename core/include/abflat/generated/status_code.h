@@ -36,11 +36,10 @@ enum class StatusCode : int {
   Internal = 17,  ///< a bug in abflat; please report it with the mesh
   AtlasTooSmall = 18,  ///< the charts do not fit the atlas; the message names a resolution or texel density at which they fit
   NoTexcoords = 19,  ///< no face of the mesh has texcoords, so it has no layout to pack
-  UnsupportedHost = 20,  ///< the npm package only: WebAssembly, or its 128-bit vectors (SIMD), are missing, as in browsers before Chrome 91, Firefox 89 and Safari 16.4
 };
 
 constexpr int kExitCodeCount = 6;
-constexpr int kStatusCodeCount = 21;
+constexpr int kStatusCodeCount = 20;
 
 /// "NonManifoldEdge"; the name that reports and error objects carry.
 inline const char* statusName(StatusCode code) {
@@ -85,8 +84,6 @@ inline const char* statusName(StatusCode code) {
       return "AtlasTooSmall";
     case StatusCode::NoTexcoords:
       return "NoTexcoords";
-    case StatusCode::UnsupportedHost:
-      return "UnsupportedHost";
   }
   return "Internal";
 }
@@ -134,8 +131,6 @@ inline const char* statusText(StatusCode code) {
       return "the charts do not fit the atlas; the message names a resolution or texel density at which they fit";
     case StatusCode::NoTexcoords:
       return "no face of the mesh has texcoords, so it has no layout to pack";
-    case StatusCode::UnsupportedHost:
-      return "the npm package only: WebAssembly, or its 128-bit vectors (SIMD), are missing, as in browsers before Chrome 91, Firefox 89 and Safari 16.4";
   }
   return "";
 }
@@ -165,7 +160,6 @@ inline int exitCodeOf(StatusCode code) {
     case StatusCode::Internal:
     case StatusCode::AtlasTooSmall:
     case StatusCode::NoTexcoords:
-    case StatusCode::UnsupportedHost:
       return static_cast<int>(ExitCode::NotFlattenable);
     case StatusCode::CannotWrite:
       return static_cast<int>(ExitCode::CannotWrite);
