@@ -19,6 +19,6 @@ export function checkHost(): void {
     throw new AbflatError(
       'UnsupportedHost',
       'abflat needs WebAssembly with 128-bit vectors (SIMD), which is missing here: use Chrome or Edge 91, Firefox 89, ' +
-        'Safari 16.4 or Node 16.4, or anything newer.',
+        'Safari 16.4 or anything newer.',
     );
 }
