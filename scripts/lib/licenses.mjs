@@ -25,7 +25,7 @@ const CONTENTS = {
     'libwebp',
   ],
   python: ['eigen', 'fast_float', 'pybind11'],
-  wasm: WASM,
+  wasm: [...WASM, 'node_modules/fflate'],
   web: [
     ...WASM,
     'node_modules/three',

@@ -185,8 +185,8 @@ test('a program that cannot be loaded is reported, and loaded when it can be', a
 });
 
 for (const [which, script] of [
-  ['that draws', /\/assets\/worker-(?!plain-|simd-|threads-)/],
-  ['that unwraps', /\/assets\/worker-(plain|simd|threads)-/],
+  ['that draws', /\/assets\/worker-(?!simd-|threads-)/],
+  ['that unwraps', /\/assets\/worker-(simd|threads)-/],
 ])
   test(`a worker ${which} and cannot be loaded is reported, and loaded when it can be`, async (t) => {
     const page = await openPage(t, {
