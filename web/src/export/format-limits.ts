@@ -23,9 +23,11 @@ export function limitOf(
   baked: ExportFormat[] = [],
 ): string {
   const { name } = source;
-  if (!meshFileOf(name)?.exported || exportFormatOf(name) === format) return '';
-  const holds = gltf?.holds ?? [];
-  if (baked.includes(format)) return LIMITS.loses(holds.filter((each) => each !== 'materials'));
+  const { lost = [], holds = [] } = gltf ?? {};
+  if (!meshFileOf(name)?.exported) return '';
+  if (exportFormatOf(name) === format) return LIMITS.loses(lost);
+  const all = [...new Set([...lost, ...holds])];
+  if (baked.includes(format)) return LIMITS.loses(all.filter((each) => each !== 'materials'));
   if (baked.length > 0) return LIMITS.notBaked;
-  return LIMITS.loses(holds) || LIMITS.shapeOnly;
+  return LIMITS.loses(all) || LIMITS.shapeOnly;
 }
