@@ -5,7 +5,7 @@ import type { FbxContent } from '../model/model';
 import { FBX } from '../words/fbx';
 import { READING } from '../words/opening';
 import { fbxDocument } from './fbx-document';
-import { hasPolygons } from './fbx-polygons';
+import { facesOf } from './fbx-polygons';
 import { fbxScene } from './fbx-scene';
 import { remarksOn } from './missing-files';
 
@@ -29,10 +29,12 @@ export async function readFbx(file: File, others: File[]): Promise<ReadFbx> {
   if (bytes.length === 0) throw new Error(READING.empty(name));
   const isBinary = checkVersion(name, bytes);
   const scene = fbxScene(name, bytes);
+  const { hasPolygons, areWhole } = facesOf(bytes, isBinary);
+  if (!areWhole) throw new Error(FBX.damaged(name, FBX.vertexMissing));
   const base = name.replace(/\.[^.]*$/, '');
   const { document, lost, images } = await fbxDocument(base, scene, others);
-  if (hasPolygons(bytes, isBinary)) lost.add('polygons');
-  const triangles = lost.has('polygons') ? FBX.triangles : '';
+  if (hasPolygons) lost.add('polygons');
+  const triangles = hasPolygons ? FBX.triangles : '';
   return {
     document,
     lost: [...lost],

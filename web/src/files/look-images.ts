@@ -1,3 +1,4 @@
+import { NOT_LOADED } from '../base/lost';
 import { KTX2, ktx2Pixels } from './ktx2';
 import type { StoredImage } from './stored-look';
 
@@ -48,7 +49,9 @@ const powerOfTwo = (sizes: number[]) => 2 ** Math.ceil(Math.log2(Math.max(1, ...
 async function decoded(bytes: Blob): Promise<ImageBitmap | null> {
   try {
     return await createImageBitmap(bytes.type === KTX2 ? await imageOf(bytes) : bytes, PLAIN);
-  } catch {
+  } catch (error) {
+    // What decodes is needed by other images, too.
+    if (error instanceof Error && error.name === NOT_LOADED) throw error;
     return null;
   }
 }

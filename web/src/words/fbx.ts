@@ -19,6 +19,7 @@ export const FBX = {
     `${name} is FBX ${Math.floor(version / 100) / 10}, which is too old to read. Save it as FBX 7.4 (2014) or newer, or as GLB.`,
   damaged: (name: string, reason: string) =>
     `${name} is damaged, or holds what this page cannot read (${reason}). Export it again, or save it as GLB in the program that made it.`,
+  vertexMissing: 'a face has a vertex that is not there',
   opened: (name: string) => `${name} is exported as GLB or OBJ, not as FBX.`,
   triangles: 'Its polygons become triangles.',
   leftOut: (lost: string[]) => {
