@@ -149,7 +149,7 @@ function textOf({ name, values, children }, indent) {
   if (first instanceof Values && Array.isArray(first.list))
     return `${indent}${name}: *${first.list.length} {\n${inner}a: ${first.list.join(',')}\n${indent}}\n`;
   if (Buffer.isBuffer(first)) return `${indent}${name}: ,\n${inner}"${first.toString('base64')}"\n`;
-  // Exporters leave no blanks between numbers.
+  // Most exporters leave no blanks between numbers.
   const head = `${indent}${name}: ${values
     .map(textValue)
     .join(', ')

@@ -75,16 +75,14 @@ for (const [kind, write] of Object.entries(KINDS)) {
       primitives.map((each) => each.getMaterial().getName()),
       ['steel', 'wood'],
     );
-    for (const each of primitives) {
+    for (const [i, each] of primitives.entries()) {
       assert.equal(each.getIndices().getCount(), 18);
-      assert.equal(
-        each.getAttribute('POSITION').getCount(),
-        12,
-        'corners of a face share vertices',
-      );
+      const ends = QUADS.flatMap((face, f) => (f % 2 === i ? face.map((v, k) => `${v} ${k}`) : []));
+      const count = each.getAttribute('POSITION').getCount();
+      assert.equal(count, new Set(ends).size, 'corners that agree share a vertex');
       const corners = new Set();
-      for (let i = 0; i < 12; ++i)
-        corners.add(each.getAttribute('TEXCOORD_0').getElement(i, []).join());
+      for (let row = 0; row < count; ++row)
+        corners.add(each.getAttribute('TEXCOORD_0').getElement(row, []).join());
       assert.deepEqual([...corners].sort(), ['0,0', '0,1', '1,0', '1,1']);
     }
     const [steel, wood] = primitives.map((each) => each.getMaterial());
@@ -197,6 +195,22 @@ test('Z may point up, units have any size, and cameras and lights are left out',
   const matrix = box.getWorldMatrix();
   // Three axes of an inch; what pointed along z points along y.
   assert.deepEqual(rounded(matrix.slice(8, 11)), [0, 0.0254, 0]);
+});
+
+test('blanks between numbers change nothing', async () => {
+  const objects = [{ ...BOX, material: 0, translation: [10, 20, 30] }];
+  const text = asText(fbxTree({ objects, materials: [{ name: 'steel', color: [0.5, 1, 0.25] }] }));
+  const spread = text.replace(/^\s*P:.*$/gm, (line) => line.replace(/,(?=[-\d])/g, ', '));
+  assert.notEqual(spread, text);
+  const [before, after] = await Promise.all([read(text), read(spread)]);
+  const placesOf = ({ document }) =>
+    document
+      .getRoot()
+      .listNodes()
+      .map((each) => each.getWorldMatrix());
+  assert.deepEqual(placesOf(after), placesOf(before));
+  const colorOf = ({ document }) => document.getRoot().listMaterials()[0].getBaseColorFactor();
+  assert.deepEqual(colorOf(after), colorOf(before));
 });
 
 test('textures: beside the file, missing, of no use, as opacity', async () => {

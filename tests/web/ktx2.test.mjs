@@ -3,22 +3,12 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { KHRTextureBasisu } from '@gltf-transform/extensions';
 import { assertValidFile, io, primitivesOf } from '../support/gltf.mjs';
-import { KTX2_IMAGES, QUARTERS } from '../support/ktx2-images.mjs';
+import { KTX2_IMAGES, ktx2Cube, QUARTERS } from '../support/ktx2-images.mjs';
 import { oneColor, RED } from '../support/painted.mjs';
 import { parsePng } from '../support/png.mjs';
 import { oneTexture, texturedCube, texturedGlb } from '../support/textured.mjs';
 import { dropAndWait, exportAs, exportMesh, openPage, textOf } from './page.mjs';
-
-/** A cube with an image that is none of the usual ones. */
-async function cubeWith(image, alphaMode = 'BLEND') {
-  const glb = texturedGlb([texturedCube()], oneTexture(oneColor(RED), { alphaMode }));
-  const document = await io.readBinary(glb);
-  document.createExtension(KHRTextureBasisu).setRequired(true);
-  document.getRoot().listTextures()[0].setImage(image).setMimeType('image/ktx2');
-  return io.writeBinary(document);
-}
 
 const read = (path) => io.readBinary(readFileSync(path));
 const extensionsOf = (document) =>
@@ -48,7 +38,7 @@ function sharesOf({ width, height, at }, colors) {
 
 for (const [kind, image] of Object.entries(KTX2_IMAGES)) {
   test(`${kind}: shown, kept in an export, and baked into PNG`, async (t) => {
-    const page = await openPage(t, { open: ['cube.glb', await cubeWith(image)] });
+    const page = await openPage(t, { open: ['cube.glb', await ktx2Cube(image)] });
     assert.equal(await textOf(page, '#alert'), '');
     await page.locator('#shading option[value="materials"]').waitFor({ state: 'attached' });
     assert.equal(await textOf(page, '#notice'), '', 'it can be shown');
@@ -70,7 +60,7 @@ for (const [kind, image] of Object.entries(KTX2_IMAGES)) {
 }
 
 test('an OBJ gets new images from KTX2, too', async (t) => {
-  const page = await openPage(t, { open: ['cube.glb', await cubeWith(KTX2_IMAGES.ETC1S)] });
+  const page = await openPage(t, { open: ['cube.glb', await ktx2Cube(KTX2_IMAGES.ETC1S)] });
   await bake(page);
   const { name } = await exportAs(page, 'obj');
   assert.equal(name, 'cube-uv.zip');
@@ -84,14 +74,14 @@ test('the transcoder is loaded for KTX2 alone', async (t) => {
   await bake(page);
   await exportMesh(page);
   assert.ok(!urls.some((url) => /basis/.test(url)), 'not for PNG');
-  await dropAndWait(page, 'cube.glb', await cubeWith(KTX2_IMAGES.UASTC));
+  await dropAndWait(page, 'cube.glb', await ktx2Cube(KTX2_IMAGES.UASTC));
   await page.locator('#shading option[value="materials"]').waitFor({ state: 'attached' });
   assert.ok(urls.some((url) => /\/basis_transcoder-.*\.wasm$/.test(url)));
 });
 
 test('damaged KTX2 is named; the layout can be exported all the same', async (t) => {
   const broken = Buffer.from(KTX2_IMAGES.UASTC).fill(0x5a, 12, 60);
-  const page = await openPage(t, { open: ['cube.glb', await cubeWith(broken)] });
+  const page = await openPage(t, { open: ['cube.glb', await ktx2Cube(broken)] });
   await page.waitForFunction(() => document.querySelector('#notice').textContent !== '');
   assert.match(
     await textOf(page, '#notice'),

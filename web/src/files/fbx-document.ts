@@ -31,6 +31,7 @@ export async function fbxDocument(
   const placed = placeRoot(scene, unit);
   const nodes = new Map<Object3D, Node>();
   scene.traverse((object) => {
+    if ('isAmbientLight' in object) return; // a setting of the file
     const node = nodeOf(document, object, object === scene ? name : '');
     nodes.get(object.parent as Object3D)?.addChild(node);
     nodes.set(object, node);

@@ -28,7 +28,7 @@ export async function readFbx(file: File, others: File[]): Promise<ReadFbx> {
   const bytes = new Uint8Array(await file.arrayBuffer());
   if (bytes.length === 0) throw new Error(READING.empty(name));
   const isBinary = checkVersion(name, bytes);
-  const scene = fbxScene(name, bytes);
+  const scene = fbxScene(name, bytes, isBinary);
   const { hasPolygons, areWhole } = facesOf(bytes, isBinary);
   if (!areWhole) throw new Error(FBX.damaged(name, FBX.vertexMissing));
   const base = name.replace(/\.[^.]*$/, '');

@@ -26,13 +26,18 @@ class NamedTextures extends Loader<Texture> {
   }
 }
 
-export function fbxScene(name: string, bytes: Uint8Array<ArrayBuffer>): FbxScene {
+export function fbxScene(
+  name: string,
+  bytes: Uint8Array<ArrayBuffer>,
+  isBinary: boolean,
+): FbxScene {
   const manager = new LoadingManager();
   const textures = new NamedTextures(manager);
   manager.addHandler(/./, textures);
   const embedded = new Map<string, Blob>();
   try {
-    const scene = withSurroundings(embedded, () => new FBXLoader(manager).parse(bytes.buffer, ''));
+    const read = isBinary ? bytes.buffer : withoutBlanks(bytes);
+    const scene = withSurroundings(embedded, () => new FBXLoader(manager).parse(read, ''));
     return { scene, textures: textures.made, embedded };
   } catch (error) {
     // Whatever it stumbles upon, it is in the file.
@@ -41,6 +46,16 @@ export function fbxScene(name: string, bytes: Uint8Array<ArrayBuffer>): FbxScene
       .replace(/\.$/, '');
     throw new Error(FBX.damaged(nameOf(name), reason));
   }
+}
+
+const PROPERTY = /^\s*P:.*$/gm;
+const BLANKS = /, +(?=[-+.\d])/g;
+
+/** Some programs write blanks between the numbers of a property, which three.js does not expect. */
+function withoutBlanks(bytes: Uint8Array): ArrayBuffer {
+  const text = new TextDecoder().decode(bytes);
+  return new TextEncoder().encode(text.replace(PROPERTY, (line) => line.replace(BLANKS, ',')))
+    .buffer as ArrayBuffer;
 }
 
 /**
