@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { assertValidFile } from '../support/gltf.mjs';
+import { assertValidFile, io } from '../support/gltf.mjs';
 import { asBinary, asText, fbxParts, fbxTree } from '../support/made-fbx.mjs';
 import { loadModule } from './modules.mjs';
 
@@ -166,6 +166,36 @@ function product(a = IDENTITY, b = IDENTITY) {
   return rounded(out);
 }
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+test('morph targets keep their names and what they move', async () => {
+  const extra = ({ geometries, add, connect }) => {
+    const shape = add('Geometry', 'Wide', 'Shape', [
+      node('Indexes', [ints([1, 3])]),
+      node('Vertices', [doubles([0.5, 0, 0, 0.25, 0, 0])]),
+    ]);
+    const channel = add('Deformer', 'Wide', 'BlendShapeChannel', [
+      node('FullWeights', [doubles([100])]),
+    ]);
+    const blend = add('Deformer', 'Blend', 'BlendShape');
+    connect(shape, channel);
+    connect(channel, blend);
+    connect(blend, geometries[0]);
+  };
+  const { document, lost } = await read(asText(fbxTree({ objects: [BOX], extra })));
+  assert.deepEqual(lost, ['polygons']);
+  await assertValidFile(document);
+  const [mesh] = (await io.readBinary(await io.writeBinary(document))).getRoot().listMeshes();
+  assert.deepEqual(mesh.getExtras(), { targetNames: ['Wide'] });
+  const [primitive] = mesh.listPrimitives();
+  const [base, moved] = [primitive, primitive.listTargets()[0]].map((each) =>
+    each.getAttribute('POSITION'),
+  );
+  for (let i = 0; i < base.getCount(); ++i) {
+    const [x, y, z] = base.getElement(i, []);
+    const by = x === 1 && z === 0 ? (y === 0 ? 0.5 : 0.25) : 0;
+    assert.deepEqual(moved.getElement(i, []), [by, 0, 0]);
+  }
+});
 
 test('Z may point up, units have any size, and cameras and lights are left out', async () => {
   const extra = ({ models, add, connect }) => {

@@ -114,10 +114,8 @@ async function meshOf(
     mesh.addPrimitive(primitive.setMaterial(material ? await materials.of(material) : null));
   }
   const targets = geometry.morphAttributes.position ?? [];
-  if (targets.length > 0) {
+  if (targets.length > 0)
     mesh.setWeights(targets.map((_, i) => object.morphTargetInfluences?.[i] ?? 0));
-    mesh.setExtras({ targetNames: targets.map((target) => target.name) });
-  }
   return mesh;
 }
 

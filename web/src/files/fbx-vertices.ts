@@ -7,8 +7,8 @@ import { weld } from '../mesh/weld';
 /** Values of each corner. */
 interface Column {
   semantic: string;
-  /** Number of the morph target that it belongs to. */
-  target: number | null;
+  /** Name of the morph target that it belongs to. */
+  target: string | null;
   size: number;
   values: Float32Array;
 }
@@ -23,7 +23,7 @@ export function columnsOf({ geometry }: Mesh, moved: Matrix4 | null): Column[] {
     semantic: string,
     attribute: { array: ArrayLike<number>; itemSize: number },
     change?: (values: Float32Array) => void,
-    target: number | null = null,
+    target: string | null = null,
   ) => {
     const values = Float32Array.from(attribute.array);
     change?.(values);
@@ -44,12 +44,12 @@ export function columnsOf({ geometry }: Mesh, moved: Matrix4 | null): Column[] {
   if (attributes.color) add('COLOR_0', attributes.color);
   if (attributes.skinIndex) add('JOINTS_0', attributes.skinIndex);
   if (attributes.skinWeight) add('WEIGHTS_0', attributes.skinWeight);
-  for (const [target, attribute] of (morphAttributes.position ?? []).entries())
+  for (const attribute of (morphAttributes.position ?? []) as BufferAttribute[])
     add(
       'POSITION',
-      attribute as BufferAttribute,
+      attribute,
       linear ? each((v) => v.applyMatrix3(linear)) : undefined,
-      target,
+      attribute.name,
     );
   return columns;
 }
@@ -90,7 +90,7 @@ export function primitiveOf(document: Document, columns: Column[], corners: numb
       .setType(TYPES[size])
       .setArray(semantic === 'JOINTS_0' ? new Uint16Array(array) : array);
     if (target === null) primitive.setAttribute(semantic, own);
-    else primitive.addTarget(document.createPrimitiveTarget().setAttribute(semantic, own));
+    else primitive.addTarget(document.createPrimitiveTarget(target).setAttribute(semantic, own));
   }
   return primitive;
 }
