@@ -16,7 +16,7 @@ interface ReadFbx {
   remarks: string[];
 }
 
-const BINARY = 'Kaydara FBX Binary  \0';
+const BINARY = /^Kaydara FBX Binary/;
 /** The version of a binary file is behind its first bytes, that of a text near its beginning. */
 const VERSION_AT = 23;
 const IN_TEXT = /^[^"]*\bFBXVersion:\s*(\d+)/;
@@ -50,7 +50,7 @@ export async function readFbx(file: File, others: File[]): Promise<ReadFbx> {
 /** Returns whether it is binary. */
 function checkVersion(name: string, bytes: Uint8Array): boolean {
   const start = new TextDecoder('latin1').decode(bytes.subarray(0, HEAD));
-  const isBinary = start.startsWith(BINARY) && bytes.length >= VERSION_AT + 4;
+  const isBinary = BINARY.test(start) && bytes.length >= VERSION_AT + 4;
   const version = isBinary
     ? new DataView(bytes.buffer).getUint32(VERSION_AT, true)
     : Number(IN_TEXT.exec(start)?.[1] ?? Number.NaN);

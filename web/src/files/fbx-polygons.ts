@@ -2,11 +2,13 @@
 
 import { unzlibSync } from 'fflate';
 
-const NAMES = ['Vertices', 'PolygonVertexIndex'].map((name) => new TextEncoder().encode(name));
+const NAMES = [/Vertices/, /PolygonVertexIndex/].map(({ source }) =>
+  new TextEncoder().encode(source),
+);
 /** Types of arrays, and the size of what is in front of their values. */
 const ARRAY = /[dfi]/;
 const HEAD = 13;
-const IN_TEXT = /\b(Vertices|PolygonVertexIndex):\s*\*(\d+)\s*\{\s*a:([^}]*)\}/g;
+const IN_TEXT = /\b(?:(Vertices)|PolygonVertexIndex):\s*\*(\d+)\s*\{\s*a:([^}]*)\}/g;
 
 /** What follows one another in a geometry. */
 type List = { coordinates: number } | { corners: Int32Array };
@@ -37,8 +39,8 @@ export function facesOf(bytes: Uint8Array, isBinary: boolean): Faces {
 const ends = (corners: Int32Array) => corners.reduce((sum, v) => sum + Number(v < 0), 0);
 
 function* inText(text: string): Generator<List> {
-  for (const [, name, count, list] of text.matchAll(IN_TEXT))
-    yield name === 'Vertices'
+  for (const [, vertices, count, list] of text.matchAll(IN_TEXT))
+    yield vertices
       ? { coordinates: Number(count) }
       : { corners: Int32Array.from(list.split(','), Number) };
 }
