@@ -8,6 +8,7 @@ import { loadModule } from './modules.mjs';
 
 const { readFbx } = await loadModule('files/fbx-file');
 const { facesOf } = await loadModule('files/fbx-polygons');
+const { limitOf } = await loadModule('export/format-limits');
 const { node, doubles, floats, ints, longs, properties } = fbxParts;
 
 const VERTICES = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
@@ -267,6 +268,16 @@ test('textures: beside the file, missing, of no use, as opacity', async () => {
   assert.equal(leaf.getAlphaMode(), 'BLEND');
   assert.deepEqual(leaf.getBaseColorFactor(), [1, 1, 1, 1]);
   assert.equal(document.getRoot().listTextures().length, 1);
+});
+
+test('the menu of exports says what was left out, and what other formats lose besides', () => {
+  const gltf = { lost: ['cameras', 'polygons'], holds: ['materials', 'skins'] };
+  const outcome = { source: { kind: 'file', name: 'box.fbx' }, gltf };
+  assert.equal(limitOf(outcome, 'glb'), 'loses cameras and polygons');
+  assert.equal(limitOf(outcome, 'obj'), 'loses polygons, materials and skins');
+  assert.equal(limitOf(outcome, 'obj', ['glb', 'obj']), 'loses polygons and skins');
+  const glb = { source: { kind: 'file', name: 'box.glb' }, gltf: { ...gltf, lost: [] } };
+  assert.equal(limitOf(glb, 'glb'), '');
 });
 
 test('polygons are told from triangles', () => {

@@ -26,7 +26,8 @@ export function limitOf(
   const { lost = [], holds = [] } = gltf ?? {};
   if (!meshFileOf(name)?.exported) return '';
   if (exportFormatOf(name) === format) return LIMITS.loses(lost);
-  const all = [...new Set([...lost, ...holds])];
+  // No other format has a place for what else is lost.
+  const all = [...lost.filter((each) => each === 'polygons'), ...holds];
   if (baked.includes(format)) return LIMITS.loses(all.filter((each) => each !== 'materials'));
   if (baked.length > 0) return LIMITS.notBaked;
   return LIMITS.loses(all) || LIMITS.shapeOnly;
