@@ -29,6 +29,7 @@ const CONTENTS = {
   web: [
     ...WASM,
     'node_modules/three',
+    'basis_universal',
     'node_modules/three-mesh-bvh',
     'node_modules/comlink',
     'node_modules/@gltf-transform/core',
