@@ -101,7 +101,10 @@ test('instances share texels, sized for the largest of them, and a note says so'
     preset: 'lightmap',
     resolution: 256,
   });
-  assert.match(result.report.notes[0], /3 instances share 1 geometry.*largest.*separate meshes can have texels of their own/);
+  assert.match(
+    result.report.notes[0],
+    /3 instances share 1 geometry.*largest.*separate meshes can have texels of their own/,
+  );
   assert.equal(meshes.length, 2);
   assert.ok(Math.abs(meshes[0].worldScale - 3) < 1e-6, 'as the largest');
   const { texelDensity, resolution } = result.report.atlas;
