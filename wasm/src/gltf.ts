@@ -1,12 +1,26 @@
 // Unwraps glTF-Transform documents.
 
 import type { Document, Mesh, Transform } from '@gltf-transform/core';
+import { AbflatError } from './base/errors.js';
 import type { WrittenFormat } from './base/generated.js';
 import type { BakeDocumentOptions, LaidAtlas } from './gltf/bake/bake-document.js';
 import type { BakedTexture } from './gltf/bake/put-look.js';
 import { bakingOf, firstPart, lastPart } from './gltf/baking.js';
-import { type DocumentMesh, documentMesh, type Member, membersOf } from './gltf/document-mesh.js';
-import { checkGroupBy, checkSets, type GroupBy, grouped, layEach } from './gltf/groups.js';
+import {
+  type DocumentMesh,
+  type DocumentPart,
+  documentMesh,
+  type Member,
+  membersOf,
+} from './gltf/document-mesh.js';
+import {
+  checkGroupBy,
+  checkSets,
+  type GroupBy,
+  grouped,
+  layEach,
+  sizedMeshes,
+} from './gltf/groups.js';
 import { MeshWeights } from './gltf/mesh-weights.js';
 import { giveOwnMeshes } from './gltf/own-meshes.js';
 import { setTexcoords } from './gltf/texcoords.js';
@@ -14,6 +28,7 @@ import { freeBakedTexcoord, freeTexcoord } from './gltf/texture-sets.js';
 import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkBoolean, checkFunction, optionsOf } from './messages/validate.js';
 import { checkWeights, type Weights } from './messages/weights.js';
+import { checkPages, layPages, pagesNote, type Sized } from './pages.js';
 import { type PresetOptions, withPreset } from './preset.js';
 import type { AnyAbflat, UnwrapOptions, UnwrapResult } from './types/index.js';
 
@@ -40,6 +55,8 @@ export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
   result: UnwrapResult;
   /** The set that holds the coordinates. */
   texcoord: number;
+  /** Its number from 0, with `pages`. */
+  page?: number;
   /** The new images, with `bake`. */
   baked?: BakedTexture[];
 }
@@ -63,9 +80,14 @@ export interface UnwrapDocumentOptions
   overwrite?: boolean;
   /**
    * Default: `mesh`, one atlas for each mesh, as in glTF-Transform; `scene` with
-   * `ownTexels`, and with `fixedFaces`, as meshes may share the atlas that they have.
+   * `ownTexels`, `pages`, and with `fixedFaces`, as meshes may share the atlas that they have.
    */
   groupBy?: GroupBy;
+  /**
+   * So many atlases of equal size, at one texel density, with `groupBy: 'scene'`. Each mesh lies on
+   * one of them as a whole, and pages are filled about alike. Default: 1.
+   */
+  pages?: number;
   /**
    * Nodes of the scene that share a mesh each get a copy of it, with coordinates of its own, as
    * lightmaps need. Default: false, they share its texels, and true with a preset.
@@ -101,14 +123,16 @@ export function unwrap(
     texcoord = usualTexcoord(own, readTexcoord),
     overwrite = texcoord === 'auto' || own.fixedFaces !== undefined,
     ownTexels = own.preset !== undefined,
-    groupBy = ownTexels || own.fixedFaces !== undefined ? 'scene' : 'mesh',
+    pages,
+    groupBy = ownTexels || pages !== undefined || own.fixedFaces !== undefined ? 'scene' : 'mesh',
     onAtlas,
     weights,
     ...others
   } = own;
   checkAbflat(abflat, 'unwrap');
-  check({ texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas, weights });
+  check({ texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas, weights, pages });
   const settings = withPreset(others);
+  checkPages(pages, settings);
   checkFunction('onProgress', own.onProgress);
   const baking = bakingOf(abflat, bake, own.udim);
   const transform = async (document: Document): Promise<void> => {
@@ -126,15 +150,24 @@ export function unwrap(
       ? membersOf(document).filter((each) => isWanted(each) && weighed.takesPart(each, copies))
       : wanted;
     const lay = async () => {
-      const meshes = grouped(members, groupBy)
-        .map((group) => documentMesh(document, group, readTexcoord))
-        .filter(({ indices }) => indices.length > 0);
+      const meshOf = (group: Member[]) => documentMesh(document, group, readTexcoord);
       const onLaid = baking ? firstPart(own.onProgress) : own.onProgress;
-      const atlases = await unwrapGroups(abflat, meshes, ({ parts }) => ({
+      const optionsOfMesh = ({ parts }: DocumentMesh): UnwrapOptions => ({
         ...settings,
         ...weighed.options(parts, copies),
         onProgress: onLaid,
-      }));
+      });
+      const sizeOf = (part: DocumentPart, area: number) => weighed.size(part, area, copies);
+      const atlases =
+        pages === undefined
+          ? await unwrapGroups(abflat, grouped(members, groupBy).map(meshOf), optionsOfMesh)
+          : await unwrapPages(
+              abflat,
+              sizedMeshes(meshOf(members), sizeOf),
+              (meshes) => meshOf(members.filter(({ mesh }) => meshes.includes(mesh))),
+              optionsOfMesh,
+              { pages, texelDensity: own.texelDensity, onProgress: onLaid },
+            );
       const looks = await baking?.prepare(document, atlases.map(laidOf), {
         signal: own.signal,
         onProgress: lastPart(own.onProgress),
@@ -145,11 +178,16 @@ export function unwrap(
       copies.takeBack();
       throw error;
     });
-    const done = unwrapped.map(({ atlas, look }): DocumentAtlas => {
+    const done = unwrapped.map(({ atlas, look }, page): DocumentAtlas => {
       const { parts, result } = atlas;
       const { turnedFaces } = result.report.repair;
       setTexcoords({ document, parts }, result, { texcoord: set, turnedFaces });
-      return { ...atlas, texcoord: set, ...(look && { baked: look(set) }) };
+      return {
+        ...atlas,
+        texcoord: set,
+        ...(pages !== undefined && { page }),
+        ...(look && { baked: look(set) }),
+      };
     });
     for (const atlas of done) await onAtlas?.(atlas);
   };
@@ -182,28 +220,54 @@ function tellKept(document: Document, set: number, kept: number, count: number):
 
 function check(options: UnwrapDocumentOptions): void {
   const { texcoord, readTexcoord, overwrite, groupBy, ownTexels, onAtlas, weights } = options;
+  const { pages } = options;
   checkSets(texcoord, readTexcoord);
   checkBoolean('overwrite', overwrite);
   checkBoolean('ownTexels', ownTexels);
   checkFunction('onAtlas', onAtlas);
   checkGroupBy(groupBy);
   checkWeights(weights);
+  if (pages !== undefined && groupBy !== 'scene')
+    throw new AbflatError(
+      'InvalidOption',
+      `pages are those of a whole scene, so groupBy must be 'scene', not '${groupBy}'.`,
+    );
 }
 
 async function unwrapGroups(
   abflat: AnyAbflat<'unwrap'>,
-  meshes: DocumentMesh[],
+  all: DocumentMesh[],
   optionsOfMesh: (mesh: DocumentMesh) => UnwrapOptions,
 ): Promise<Omit<DocumentAtlas, 'texcoord'>[]> {
+  const meshes = all.filter(({ indices }) => indices.length > 0);
   const options = meshes.map(optionsOfMesh);
   return layEach(meshes, options[0]?.onProgress, async (mesh, call, i) => {
     const own = options[i] as UnwrapOptions;
     const result = await abflat.unwrap(neededFor(own, mesh), { ...own, ...call });
-    // The only ones it has are about nodes that share texels.
-    const notes = mesh.notes.map(
-      (note) => `${note}. With the option ownTexels each node gets texels of its own`,
-    );
-    result.report.notes.unshift(...notes);
+    result.report.notes.unshift(...notesOf(mesh));
     return result;
   });
+}
+
+/** The only ones it has are about nodes that share texels. */
+const notesOf = ({ notes }: DocumentMesh) =>
+  notes.map((note) => `${note}. With the option ownTexels each node gets texels of its own`);
+
+async function unwrapPages(
+  abflat: AnyAbflat<'unwrap'>,
+  things: Sized<Mesh>[],
+  meshOf: (meshes: Mesh[]) => DocumentMesh,
+  optionsOfMesh: (mesh: DocumentMesh) => UnwrapOptions,
+  { pages, ...common }: Pick<UnwrapOptions, 'texelDensity' | 'onProgress'> & { pages: number },
+): Promise<Omit<DocumentAtlas, 'texcoord'>[]> {
+  if (things.length === 0) return [];
+  const laid = await layPages(things, pages, common, (meshes, more) => {
+    const mesh = meshOf(meshes);
+    const all = { ...optionsOfMesh(mesh), ...more, transfer: true, roundsForGltf: true };
+    return abflat.unwrap(neededFor(all, mesh), all);
+  });
+  const atlases = laid.map(({ things: meshes, result }) => ({ mesh: meshOf(meshes), result }));
+  for (const { mesh, result } of atlases) result.report.notes.unshift(...notesOf(mesh));
+  atlases[0]?.result.report.notes.unshift(...pagesNote(pages, laid.length, 'meshes'));
+  return atlases.map(({ mesh, result }) => ({ parts: mesh.parts, result }));
 }

@@ -11,7 +11,12 @@ export type { Weights } from './messages/weights.js';
 export { type PackGeometryOptions, packGeometry } from './pack-geometry.js';
 export type { Preset, PresetOptions } from './preset.js';
 export { type UnwrapGeometryOptions, unwrapGeometry } from './unwrap-geometry.js';
-export { type UnwrappedMesh, type UnwrapSceneOptions, unwrapScene } from './unwrap-scene.js';
+export {
+  type UnwrappedMesh,
+  type UnwrappedScene,
+  type UnwrapSceneOptions,
+  unwrapScene,
+} from './unwrap-scene.js';
 
 export interface ToBufferGeometryOptions {
   /**

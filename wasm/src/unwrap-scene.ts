@@ -6,11 +6,12 @@ import { fieldOf, ownFields } from './messages/fields.js';
 import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkBoolean, checkString, optionsOf } from './messages/validate.js';
 import { checkWeights, densitiesFor, type Weights } from './messages/weights.js';
+import { checkPages, layPages, type PageOptions, pagesNote, type Sized } from './pages.js';
 import { type PresetOptions, withPreset } from './preset.js';
 import { assignBatched, checkRoom, isBatched, likeBatched } from './three/batched.js';
 import { withPartOf } from './three/put-layout.js';
-import { type ScenePart, sceneMesh } from './three/scene-mesh.js';
-import { sharingNotes, subjectsBelow } from './three/scene-objects.js';
+import { type SceneMesh, type ScenePart, sceneMesh } from './three/scene-mesh.js';
+import { type Subject, sharingNotes, subjectsBelow } from './three/scene-objects.js';
 import type { AnyAbflat, UnwrapResult } from './types/index.js';
 import type { UnwrapGeometryOptions } from './unwrap-geometry.js';
 
@@ -41,8 +42,21 @@ export interface UnwrapSceneOptions
    * need. Default: false, they go on sharing one, and true with a preset.
    */
   ownTexels?: boolean;
+  /**
+   * So many atlases of equal size, at one texel density. Each mesh lies on one of them as a whole,
+   * and pages are filled about alike. Default: 1.
+   */
+  pages?: number;
   /** Whether meshes get their new geometries. Default: true. */
   assign?: boolean;
+}
+
+export interface UnwrappedScene {
+  /** One for each page. */
+  results: UnwrapResult[];
+  /** The first of them, which is all without `pages`. */
+  result: UnwrapResult;
+  meshes: UnwrappedMesh[];
 }
 
 /** What a mesh of the scene gets. */
@@ -54,7 +68,9 @@ export interface UnwrappedMesh {
   geometry: BufferGeometry;
   /** The one that the mesh had, which may be disposed of if nothing else uses it. */
   previous: BufferGeometry;
-  /** Its triangles in the arrays of the result, which are those that it draws, in order. */
+  /** The number of its atlas among `results`. */
+  page: number;
+  /** Its triangles in the arrays of that result, which are those that it draws, in order. */
   firstTriangle: number;
   triangleCount: number;
   /** How much longer lengths are in the world, where its layout is sized: a mean over the surface. */
@@ -62,8 +78,8 @@ export interface UnwrappedMesh {
 }
 
 /**
- * All visible meshes of an object and those below it in one atlas, at one texel density in world
- * space. Meshes are apart even where they touch. Once everything has succeeded, meshes get new
+ * All visible meshes of an object and those below it in one atlas, or in several with `pages`, at
+ * one texel density in world space. Meshes are apart even where they touch. Once everything has succeeded, meshes get new
  * geometries, with what unwrapGeometry keeps; those that shared one go on sharing one unless
  * `ownTexels` is set.
  */
@@ -71,30 +87,68 @@ export async function unwrapScene(
   abflat: AnyAbflat<'unwrap'>,
   object: Object3D,
   settings: UnwrapSceneOptions = {},
-): Promise<{ result: UnwrapResult; meshes: UnwrappedMesh[] }> {
+): Promise<UnwrappedScene> {
   checkAbflat(abflat, 'unwrap');
   const own = optionsOf(settings);
-  const { weights, assign = true, ownTexels = own.preset !== undefined, ...named } = own;
+  const { weights, assign = true, ownTexels = own.preset !== undefined, pages, ...named } = own;
   const { attribute = 'uv1', readAttribute = usualSource(own), ...others } = ownFields(named);
   check(object, { ...named, weights, assign, ownTexels, attribute, readAttribute });
   const options = withPreset(others);
+  checkPages(pages, options);
   const subjects = subjectsBelow(object, weights, ownTexels);
-  const { parts, ...mesh } = sceneMesh(subjects, readAttribute);
-  if (mesh.indices.length === 0)
+  const scene = sceneMesh(subjects, readAttribute);
+  if (scene.indices.length === 0)
     throw new AbflatError(
       'EmptyMesh',
       'No visible mesh at or below the object has triangles to unwrap.',
     );
-  const densities = densitiesFor(parts);
-  const result = await abflat.unwrap(neededFor(options, mesh), {
-    ...options,
-    ...(densities && { faceDensities: densities }),
-    transfer: true,
+  const unwrapMesh = async (
+    { parts, ...mesh }: SceneMesh,
+    more: PageOptions,
+    transfer: boolean,
+  ) => {
+    const densities = densitiesFor(parts);
+    const all = { ...options, ...more };
+    return abflat.unwrap(neededFor(all, mesh), {
+      ...all,
+      ...(densities && { faceDensities: densities }),
+      transfer,
+    });
+  };
+  const laid =
+    pages === undefined
+      ? [{ things: [subjects], result: await unwrapMesh(scene, {}, true) }]
+      : await layPages(sizedOf(subjects, scene), pages, options, (each, more) =>
+          unwrapMesh(sceneMesh(each.flat(), readAttribute), more, true),
+        );
+  const results = laid.map((page) => page.result);
+  const result = results[0] as UnwrapResult;
+  result.report.notes.unshift(
+    ...pagesNote(pages ?? 1, results.length, 'meshes'),
+    ...sharingNotes(subjects, ownTexels),
+  );
+  const meshes = laid.flatMap((each, page) => {
+    const { parts } = pages === undefined ? scene : sceneMesh(each.things.flat(), readAttribute);
+    return parts.flatMap((part) =>
+      unwrappedOf(part, page, withPartOf(each.result, part, attribute)),
+    );
   });
-  result.report.notes.unshift(...sharingNotes(subjects, ownTexels));
-  const meshes = parts.flatMap((part) => unwrappedOf(part, withPartOf(result, part, attribute)));
   if (assign) assignAll(meshes, attribute);
-  return { result, meshes };
+  return { results, result, meshes };
+}
+
+/** What lies on one page as a whole: all geometries of a BatchedMesh, which has one material. */
+function sizedOf(subjects: Subject[], { parts }: SceneMesh): Sized<Subject[]>[] {
+  const groups = new Map<unknown, Sized<Subject[]>>();
+  for (const [i, subject] of subjects.entries()) {
+    const { area, weight } = parts[i] as ScenePart;
+    const key = subject.geometryId === undefined ? subject : subject.meshes[0];
+    const group = groups.get(key) ?? { thing: [], size: 0 };
+    group.thing.push(subject);
+    group.size += area * weight * weight;
+    groups.set(key, group);
+  }
+  return [...groups.values()];
 }
 
 /** All of them, or none if one has no room. */
@@ -135,13 +189,14 @@ const OF_ONE_GEOMETRY = [
   'keepsPlaces',
 ] as const satisfies OfOneGeometry[];
 
-function unwrappedOf(part: ScenePart, made: BufferGeometry): UnwrappedMesh[] {
+function unwrappedOf(part: ScenePart, page: number, made: BufferGeometry): UnwrappedMesh[] {
   const { firstTriangle, triangleCount, worldScale, geometry: previous, geometryId } = part;
   return part.meshes.map((mesh) => ({
     mesh,
     ...(geometryId !== undefined && { geometryId }),
     geometry: isBatched(mesh) ? likeBatched(mesh, made) : made,
     previous,
+    page,
     firstTriangle,
     triangleCount,
     worldScale,

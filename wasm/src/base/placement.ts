@@ -120,3 +120,18 @@ export function putNormal(
       (to[at + d] as number) += sign * (column[d] as number) * (normal[k] as number);
   });
 }
+
+/** Of triangles. */
+export function areaOf(positions: Float64Array, indices: Uint32Array): number {
+  const at = (corner: number, d: number) =>
+    positions[3 * (indices[corner] as number) + d] as number;
+  let sum = 0;
+  for (let c = 0; c < indices.length; c += 3) {
+    const [u, v] = [1, 2].map((k) => [0, 1, 2].map((d) => at(c + k, d) - at(c, d))) as [
+      Point,
+      Point,
+    ];
+    sum += Math.hypot(...cross(u, v));
+  }
+  return sum / 2;
+}

@@ -2,6 +2,7 @@
 
 import type { Mesh, Primitive } from '@gltf-transform/core';
 import { AbflatError } from '../base/errors.js';
+import { areaOf } from '../base/placement.js';
 import { shown } from '../messages/validate.js';
 import type { DocumentMesh, DocumentPart, Member } from './document-mesh.js';
 
@@ -37,6 +38,20 @@ export function grouped(members: Member[], groupBy: GroupBy): Member[][] {
     groups.set(key, group);
   }
   return [...groups.values()];
+}
+
+/** Meshes with their share of the room on pages. `sizeOf`: that of a surface. */
+export function sizedMeshes(
+  { positions, indices, parts }: DocumentMesh,
+  sizeOf: (part: DocumentPart, area: number) => number,
+): { thing: Mesh; size: number }[] {
+  const sizes = new Map<Mesh, number>();
+  for (const part of parts) {
+    const first = 3 * part.firstTriangle;
+    const area = areaOf(positions, indices.subarray(first, first + 3 * part.triangleCount));
+    sizes.set(part.mesh, (sizes.get(part.mesh) ?? 0) + sizeOf(part, area));
+  }
+  return [...sizes].map(([thing, size]) => ({ thing, size }));
 }
 
 type Listener<P> = ((progress: P) => void) | undefined;

@@ -31,6 +31,11 @@ export class MeshWeights {
     return faceDensities ? { faceDensities } : {};
   }
 
+  /** Texels that parts want, relative to others. */
+  size(part: DocumentPart, area: number, copies: OwnMeshes): number {
+    return area * this.#of(part.mesh, copies) ** 2;
+  }
+
   #of(mesh: Mesh, copies?: OwnMeshes): number {
     return this.#weights.get(copies?.originalOf(mesh) ?? mesh) ?? 1;
   }

@@ -2,7 +2,7 @@
 
 import type { BufferGeometry, Material, Mesh } from 'three';
 import { AbflatError } from '../base/errors.js';
-import { cross, type Placement, put, putNormal } from '../base/placement.js';
+import { areaOf, type Placement, put, putNormal } from '../base/placement.js';
 import type { MeshArrays } from '../types/index.js';
 import { meshOf } from './geometry.js';
 import { nameOf, type Subject } from './scene-objects.js';
@@ -19,6 +19,8 @@ export interface ScenePart extends Subject {
   triangleCount: number;
   /** How much longer lengths are in the world, as a mean over the surface. */
   worldScale: number;
+  /** In the world. */
+  area: number;
 }
 
 export interface SceneMesh extends MeshArrays {
@@ -100,6 +102,7 @@ function pieceOf(subject: Subject, { uvName, numbers, ...first }: At): Piece {
   const drawn = own.indices.subarray(firstCorner, firstCorner + cornerCount);
   checkIndices(mesh, drawn, own.positions.length / 3);
   const positions = placed(mesh, own.positions, usage.placement);
+  const area = areaOf(positions, drawn);
   const part: ScenePart = {
     ...subject,
     ...first,
@@ -107,7 +110,8 @@ function pieceOf(subject: Subject, { uvName, numbers, ...first }: At): Piece {
     firstCorner,
     cornerCount,
     triangleCount: cornerCount / 3,
-    worldScale: Math.sqrt(areaOf(positions, drawn) / areaOf(own.positions, drawn)) || 1,
+    worldScale: Math.sqrt(area / areaOf(own.positions, drawn)) || 1,
+    area,
   };
   return {
     part,
@@ -189,19 +193,4 @@ function materialsOf(
   return Uint32Array.from({ length: triangleCount }, (_, i) =>
     numberOf(material[(groups?.[first + i] ?? 0) - 1]),
   );
-}
-
-/** Twice the area. */
-function areaOf(positions: Float64Array, indices: Uint32Array): number {
-  const at = (corner: number, d: number) =>
-    positions[3 * (indices[corner] as number) + d] as number;
-  let sum = 0;
-  for (let c = 0; c < indices.length; c += 3) {
-    const [u, v] = [1, 2].map((k) => [0, 1, 2].map((d) => at(c + k, d) - at(c, d))) as [
-      Triple,
-      Triple,
-    ];
-    sum += Math.hypot(...cross(u, v));
-  }
-  return sum;
 }
