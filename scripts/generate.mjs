@@ -49,7 +49,7 @@ const DOC_FOLDERS = ['.', 'docs', 'native', 'wasm', 'web'];
 export function renderAll(root) {
   const schema = readSchema(root);
   const files = new Map([
-    ['core/include/abflat/generated/status_code.h', renderStatusCode(schema)],
+    ['core/include/abflat/generated/status_code.h', renderStatusCode(ofProgram(schema))],
     ['core/include/abflat/generated/names.h', renderNames(schema)],
     ...optionSets(ofProgram(schema)).map((set, i, sets) => [
       `core/include/abflat/generated/${set.verb}_options.h`,

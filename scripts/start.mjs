@@ -21,7 +21,7 @@ async function buildAll() {
 async function serveMeanwhile(args) {
   const folders = [await buildFirstPage()];
   const address = await serve(args, folders);
-  console.log('Building the rest: faster with threads, and for browsers without vectors.\n');
+  console.log('Building the rest, which is faster: it has threads.\n');
   try {
     await buildAll();
   } catch (error) {

@@ -9,6 +9,7 @@ import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { deflateRawSync } from 'node:zlib';
 import { buildSync, transformSync } from 'esbuild';
 import { writeLicenses } from '../scripts/lib/licenses.mjs';
 import { BUILDS, missingModule, NAMES, placeModules } from './modules.mjs';
@@ -32,6 +33,29 @@ function joinWorkers() {
     allowOverwrite: true,
     external: ['node:*', ...NAMES.map((name) => `./${name}.js`)],
   });
+}
+
+/** Puts the module, deflated, and all scripts that it takes into the entry that is one file. */
+function joinSingle() {
+  const wasm = readFileSync(join(DIST, 'abflat-simd.wasm'));
+  const text = deflateRawSync(wasm, { level: 9 }).toString('base64');
+  const module = join(DIST, 'single-module.js');
+  const entry = join(DIST, 'single.js');
+  writeFileSync(
+    module,
+    `export const DEFLATED = '${text}';\nexport const SIZE = ${wasm.length};\n`,
+  );
+  buildSync({
+    entryPoints: [entry],
+    bundle: true,
+    format: 'esm',
+    target: 'es2022',
+    minifySyntax: true,
+    legalComments: 'none',
+    outfile: entry,
+    allowOverwrite: true,
+  });
+  rmSync(module);
 }
 
 /** Browsers load scripts; the comments that people need are in the types. */
@@ -61,4 +85,5 @@ execFileSync(process.execPath, [tsc, '-p', HERE], { stdio: 'inherit' });
 joinWorkers();
 leaveOutComments();
 placeModules(DIST, builds);
+joinSingle();
 writeLicenses(DIST, 'wasm');

@@ -11,28 +11,25 @@ const BUILD = join(dirname(fileURLToPath(import.meta.url)), '../build');
  * For every build in src/builds.ts: folder below build/, base name there, and base name in dist/.
  */
 const MODULES = {
-  plain: { folder: 'wasm', built: 'abflat', name: 'abflat' },
-  simd: { folder: 'wasm-simd', built: 'abflat', name: 'abflat-simd' },
+  simd: { folder: 'wasm', built: 'abflat', name: 'abflat-simd' },
   threads: { folder: 'wasm-threads', built: 'abflat-threads', name: 'abflat-threads' },
 };
 export const BUILDS = Object.keys(MODULES);
 
-/** Modules of their own, the same for all builds: vectors make them hardly faster. */
-const LATE = ['pack', 'bake'];
-const lateOf = (build) =>
-  LATE.map((label) => {
-    const name = `abflat-${label}`;
-    return { folder: MODULES[build].folder, built: name, name, label };
-  });
+/** Modules of their own, the same for all builds: they need no threads. */
+const LATE = ['pack', 'bake'].map((label) => {
+  const name = `abflat-${label}`;
+  return { folder: MODULES.simd.folder, built: name, name, label };
+});
 
 /** Base names in dist/. */
-export const NAMES = [...Object.values(MODULES), ...lateOf('plain')].map(({ name }) => name);
+export const NAMES = [...Object.values(MODULES), ...LATE].map(({ name }) => name);
 
 const pathOf = ({ folder, built }, ending) => join(BUILD, folder, `${built}${ending}`);
 
 /** A file that is missing for `builds`, if any. */
 export const missingModule = (builds) =>
-  [...builds.map((build) => MODULES[build]), ...lateOf(builds[0])]
+  [...builds.map((build) => MODULES[build]), ...LATE]
     .flatMap((module) => ['.mjs', '.wasm'].map((ending) => pathOf(module, ending)))
     .find((path) => !existsSync(path));
 
@@ -126,7 +123,7 @@ export function placeModules(dist, builds = BUILDS) {
     const build = builds.includes(wanted) ? wanted : builds[0];
     place(dist, MODULES[build], { label: build, name });
   }
-  for (const late of lateOf(builds[0])) place(dist, late, late);
+  for (const late of LATE) place(dist, late, late);
 }
 
 function place(dist, module, { label, name }) {

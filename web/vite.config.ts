@@ -5,7 +5,9 @@ import { hashedScript } from './scripts/hashed-script.mjs';
 import { namedMethods } from './scripts/named-methods.mjs';
 import { oneThreadScript } from './scripts/one-thread-script.mjs';
 import { optionTexts } from './scripts/option-texts.mjs';
+import { ownThree } from './scripts/own-three.mjs';
 import { usedThree } from './scripts/used-three.mjs';
+import { withoutEval } from './scripts/without-eval.mjs';
 import { withoutIndents } from './scripts/without-indents.mjs';
 import { MORE } from './src/model/more-names';
 
@@ -39,7 +41,7 @@ export default defineConfig({
   // With them the browser gives the page threads.
   server: { headers: isolation },
   preview: { headers },
-  worker: { format: 'es', plugins: () => [oneThreadScript()] },
+  worker: { format: 'es', plugins: () => [oneThreadScript(), ownThree(), withoutEval()] },
   // The package finds its worker and its .wasm relative to its own file.
   optimizeDeps: { exclude: ['abflat'] },
 });

@@ -39,10 +39,8 @@ if(EMSCRIPTEN)
   # Optimised when linked: what nothing calls, such as most of the libraries, is not loaded.
   target_compile_options(abflat_flags INTERFACE -fno-exceptions -fno-rtti -flto)
   target_link_options(abflat_flags INTERFACE -flto)
-  if(ABFLAT_WASM_SIMD)
-    # Browsers that know vectors know the other two.
-    target_compile_options(abflat_flags INTERFACE -msimd128 -mnontrapping-fptoint -msign-ext)
-  endif()
+  # Browsers that know vectors know the other two.
+  target_compile_options(abflat_flags INTERFACE -msimd128 -mnontrapping-fptoint -msign-ext)
 endif()
 if(ABFLAT_SANITIZE)
   set(SANITIZERS -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all)

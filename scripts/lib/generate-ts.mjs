@@ -7,6 +7,7 @@ import {
   fullText,
   OPTION_TYPES,
   ofPackage,
+  ofProgram,
   optionSets,
   pascalCase,
   rangeText,
@@ -24,7 +25,7 @@ function object(entries) {
   return `{ ${entries.map(([key, value]) => `${key}: ${literal(value)}`).join(', ')} }`;
 }
 
-function statusParts(statuses) {
+function statusParts({ statuses }, { statuses: ofModule }) {
   const names = statuses.map(({ name }) => literal(name));
   const rows = statuses.map(({ name, exit, text }) => {
     return `  ${name}: ${object([
@@ -33,8 +34,9 @@ function statusParts(statuses) {
     ])},`;
   });
   return [
-    `/** In the order of the C++ enum: index = number of the code. */`,
+    `/** Those of the module, in the order of the C++ enum (index = number of the code), then the package's own. */`,
     `export const STATUS_NAMES = [\n${names.map((name) => `  ${name},`).join('\n')}\n] as const;\n`,
+    `export const MODULE_STATUS_COUNT = ${ofModule.length};\n`,
     'export type StatusName = (typeof STATUS_NAMES)[number];\n',
     '/** Exit code of the command line program and meaning of every status. */',
     `export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; readonly text: string }>> = {\n${rows.join('\n')}\n};\n`,
@@ -177,7 +179,7 @@ export function renderLateOptions(schema) {
 export function renderTypeScript(schema) {
   const parts = [
     TS_HEADER,
-    ...statusParts(schema.statuses),
+    ...statusParts(schema, ofProgram(schema)),
     ...optionSets(ofPackage(schema))
       .filter((set) => !isLate(set))
       .flatMap(optionParts),

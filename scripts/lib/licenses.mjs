@@ -25,10 +25,11 @@ const CONTENTS = {
     'libwebp',
   ],
   python: ['eigen', 'fast_float', 'pybind11'],
-  wasm: WASM,
+  wasm: [...WASM, 'node_modules/fflate'],
   web: [
     ...WASM,
     'node_modules/three',
+    'basis_universal',
     'node_modules/three-mesh-bvh',
     'node_modules/comlink',
     'node_modules/@gltf-transform/core',

@@ -50,6 +50,11 @@ const LIBRARIES = {
     files: ['lib', 'share'].map((place) => `${place}/cmake/pybind11/pybind11ConfigVersion.cmake`),
   },
   cli11: { license: 'BSD-3-Clause', files: ['share/cmake/CLI11/CLI11ConfigVersion.cmake'] },
+  // Part of three.js, which has its own copy.
+  basis_universal: {
+    license: 'Apache-2.0 AND BSD-3-Clause',
+    versionOf: () => `three-${packageOf('node_modules/three').version}`,
+  },
   emscripten: { license: 'MIT', versionOf: emscriptenVersion },
   // Parts of Emscripten, which has its own copies.
   musl: { license: 'MIT', versionOf: () => `emscripten-${emscriptenVersion()}` },

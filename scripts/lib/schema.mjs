@@ -15,6 +15,9 @@ const BOUND_WORDS = { above: 'above', atLeast: 'at least', below: 'below', atMos
 export function checkSchema(schema) {
   checkUnique(schema.exitCodes, 'exitCodes');
   checkUnique(schema.statuses, 'statuses');
+  const own = schema.statuses.filter((status) => !isOptionOf(status, 'cli'));
+  if (own.some((status, i) => status !== schema.statuses.at(i - own.length)))
+    throw new Error('statuses: those of the package alone come last');
   const exits = new Set(schema.exitCodes.map((exit) => exit.code));
   for (const status of schema.statuses) {
     if (!exits.has(status.exit)) {
@@ -84,10 +87,11 @@ export const isOptionOf = ({ in: products = OPTION_PRODUCTS }, product) =>
 
 const OPTION_PRODUCTS = ['cli', 'package'];
 
-/** The schema without the options of the package alone. */
+/** The schema without the options and statuses of the package alone. */
 export function ofProgram(schema) {
   return {
     ...schema,
+    statuses: schema.statuses.filter((status) => isOptionOf(status, 'cli')),
     bakeOptions: schema.bakeOptions.filter((option) => isOptionOf(option, 'cli')),
   };
 }

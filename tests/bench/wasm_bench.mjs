@@ -27,7 +27,7 @@ const RECORDED = join(ROOT, 'tests/bench/recorded.json');
 
 const KEYS = [
   ...['mesh', 'faces', 't', 'repeat', ...STAGES, 'call', 'iterations', 'residual', 'valid'],
-  ...['memoryMB', 'plainSolve', 'nativeSolve', 'nativeTotal', 'baselineSolve', 'chromium'],
+  ...['memoryMB', 'nativeSolve', 'nativeTotal', 'baselineSolve', 'chromium'],
   ...['drift', 'node'],
 ];
 
@@ -48,10 +48,8 @@ const RATIOS = [
   ['native solve/s', 'nativeSolve', 3],
   ['baseline solve/s', 'baselineSolve', 3],
   ['simd solve/s', 'solve', 3],
-  ['plain solve/s', 'plainSolve', 3],
   ['simd/native', (row) => row.solve / row.nativeSolve, 2],
   ['simd/baseline', (row) => row.solve / row.baselineSolve, 2],
-  ['plain/simd', (row) => row.plainSolve / row.solve, 2],
   ['native total/s', 'nativeTotal', 3],
   ['Chromium/s', 'chromium', 3],
   ['simd/native', (row) => totalOf(row) / row.nativeTotal, 2],
@@ -78,11 +76,9 @@ async function measure(mesh, { t, repeatFor }) {
   const args = [path, String(t), String(repeat)];
   const self = fileURLToPath(import.meta.url);
   const natively = (program) => jsonOf(mesh.name, program, ['plain', ...args]);
-  const inNode = (build) => jsonOf(mesh.name, process.execPath, [self, build, ...args]);
   // Measured before and after, to reveal whether the machine got busy in between.
   const before = await natively(PROGRAM);
-  const simd = await inNode('simd');
-  const plain = await inNode('plain');
+  const simd = await jsonOf(mesh.name, process.execPath, [self, 'simd', ...args]);
   const chromium = findChrome() && (await runInChromium(path, { t, repeat }));
   const baseline = await natively(BASELINE);
   const after = await natively(PROGRAM);
@@ -90,8 +86,6 @@ async function measure(mesh, { t, repeatFor }) {
   const row = {
     mesh: mesh.name,
     ...simd,
-    plainSolve: plain.solve,
-    valid: simd.valid && plain.valid,
     nativeSolve: (before.solve + after.solve) / 2,
     nativeTotal: (totalOf(before) + totalOf(after)) / 2,
     baselineSolve: baseline.solve,
@@ -129,7 +123,7 @@ async function main() {
 }
 
 const [build, path, t, repeat] = process.argv.slice(2);
-const isOne = ['plain', 'simd'].includes(build);
+const isOne = build === 'simd';
 
 /** Prints one line of JSON. */
 const one = async () =>

@@ -18,6 +18,7 @@ import {
 import { errorsIn } from '../support/gltf-errors.mjs';
 import { grey16Png, madePng } from '../support/made-png.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
+import { sphere } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 import { samplerOf, texturedCube, texturedGlb } from '../support/textured.mjs';
 import { directionOfX, objSampler, texturedObj } from '../support/textured-obj.mjs';
@@ -298,4 +299,56 @@ map_Ks leaf.png
   });
   const webp = await objRun(t, files, ...args, '--image-format', 'webp');
   assert.deepEqual(await errorsIn(webp.at('out.glb'), webp.at), []);
+});
+
+/** A ball that is red, green and blue by place, from 0 to 255. */
+function paintedBall() {
+  const { positions, faces } = sphere(8);
+  const colours = positions.map((p) => p.map((x) => Math.round(127 * (1 + x))));
+  return { positions, faces, colours };
+}
+
+const linear = (x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
+
+test('colours of the vertices of a PLY or an OBJ become an image of a GLB', async (t) => {
+  const { positions, faces, colours } = paintedBall();
+  const names = ['x', 'y', 'z', 'red', 'green', 'blue'];
+  const ply = [
+    `ply\nformat ascii 1.0\nelement vertex ${positions.length}`,
+    ...names.map((name, i) => `property ${i < 3 ? 'double' : 'uchar'} ${name}`),
+    `element face ${faces.length}\nproperty list uchar int vertex_indices\nend_header`,
+    ...positions.map((p, v) => [...p, ...colours[v]].join(' ')),
+    ...faces.map((face) => [face.length, ...face].join(' ')),
+  ];
+  const obj = [
+    ...positions.map((p, v) => ['v', ...p, ...colours[v].map((x) => x / 255)].join(' ')),
+    ...faces.map((face) => ['f', ...face.map((v) => v + 1)].join(' ')),
+  ];
+  for (const [name, lines] of [
+    ['in.ply', ply],
+    ['in.obj', obj],
+  ]) {
+    const args = ['unwrap', name, '-o', 'out.glb', '--bake', '--bake-resolution', `${SIDE}`];
+    const run = await objRun(t, { [name]: `${lines.join('\n')}\n` }, ...args);
+    assert.deepEqual([run.code, run.stderr], [0, '']);
+    assert.deepEqual(await errorsIn(run.at('out.glb'), run.at), []);
+    const maps = run.report().baking.maps.map(({ map }) => map);
+    assert.deepEqual(maps, ['baseColor']);
+    const { sample, json } = samplerOf(readFileSync(run.at('out.glb')));
+    assert.equal('COLOR_0' in json.meshes[0].primitives[0].attributes, false);
+    const triangles = faces.flatMap((face) =>
+      face.slice(2).map((_, i) => [face[0], face[i + 1], face[i + 2]]),
+    );
+    assert.ok(triangles.length > 50);
+    atRandomPoints(triangles.length, (triangle, weights) => {
+      const is = sample(COLOUR, triangle, weights, true);
+      [0, 1, 2].forEach((d) => {
+        const wanted = triangles[triangle].reduce(
+          (sum, v, k) => sum + weights[k] * linear(colours[v][d] / 255),
+          0,
+        );
+        assert.ok(Math.abs(is[d] - wanted) < NEAR, `${name}: ${is[d]} is not ${wanted}`);
+      });
+    });
+  }
 });

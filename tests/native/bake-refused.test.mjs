@@ -65,15 +65,23 @@ test('what cannot be baked is refused in a sentence', async (t) => {
   ]);
   const at = tempFolder(t);
   writeFileSync(at('in.obj'), CUBE);
+  writeFileSync(
+    at('in.ply'),
+    'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n',
+  );
   writeFileSync(at('in.off'), 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n');
   for (const [args, sentence] of [
     [
       ['bake', 'in.obj', '-o', 'out.obj'],
-      'in.obj is an OBJ, which has one layout. Use unwrap --bake or pack --bake.',
+      'in.obj has only one layout. Use unwrap --bake or pack --bake.',
     ],
     [
       ['unwrap', 'in.off', '-o', 'out.obj', '--bake'],
-      'in.off is OFF. Only a glTF or an OBJ can be baked.',
+      'in.off is OFF. Only a glTF, an OBJ or a PLY can be baked.',
+    ],
+    [
+      ['unwrap', 'in.ply', '-o', 'out.obj', '--bake'],
+      'in.ply is PLY. The colours of its vertices are baked into a .glb or .gltf alone.',
     ],
   ]) {
     const { code, stderr } = await runAbflat(args, { cwd: at() });

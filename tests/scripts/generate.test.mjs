@@ -229,6 +229,22 @@ describe('in a copy', () => {
     assert.match(stderr, /there is no exit code 77/);
   });
 
+  test('a status of the package alone stays out of C++, and comes last', () => {
+    fresh();
+    changeSchema((schema) => {
+      schema.statuses.push({ name: 'NoPencil', in: ['package'], exit: 4, text: 'no pencil' });
+    });
+    assert.equal(generate(copy).status, 0);
+    assert.doesNotMatch(read(OUTPUTS[0]), /NoPencil/);
+    assert.match(read(OUTPUTS[2]), /NoPencil: \{ exit: 4, text: 'no pencil' \}/);
+    changeSchema((schema) => {
+      schema.statuses.unshift(schema.statuses.pop());
+    });
+    const { status, stderr } = generate(copy);
+    assert.notEqual(status, 0);
+    assert.match(stderr, /those of the package alone come last/);
+  });
+
   test('a field of a report reaches C++, the JSON, TypeScript and the documents', () => {
     fresh();
     write('README.md', '<!-- generated:struct-PinReport -->\n<!-- /generated -->\n');

@@ -217,7 +217,7 @@ test('a file that is not the module is named', async () => {
   await assert.rejects(own.bake(SQUARE, layout, source), failed, 'and again');
   assert.equal((await own.inspect(bare)).triangles, 2);
   own.terminate();
-  const main = new URL('./abflat.wasm', import.meta.resolve('abflat'));
+  const main = new URL('./abflat-simd.wasm', import.meta.resolve('abflat'));
   const other = await createAbflat({ bakeUrl: main });
   await assert.rejects(other.bake(SQUARE, layout, source), {
     code: 'UnreadableFile',

@@ -6,12 +6,13 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { AbflatError, bestBuild, createAbflat, SAMPLE_NAMES } from 'abflat';
+import { createAbflatSync } from 'abflat/sync';
 import { MILD_DISKS } from '../support/shared.mjs';
 import { DIST, MESHES, NEEDS_MESHES } from './support/paths.mjs';
 
-const FILES = { plain: 'abflat.wasm', simd: 'abflat-simd.wasm' };
+const FILES = { simd: 'abflat-simd.wasm', threads: 'abflat-threads.wasm' };
 const BUILDS = Object.keys(FILES);
-/** Node has supported vectors since version 16.4. */
+/** Node runs threads only if it is asked to. */
 const BEST = 'simd';
 
 const started = [];
@@ -41,11 +42,33 @@ test('the fastest build that runs here is the default', async () => {
   assert.equal((await start()).build, BEST);
 });
 
-test('without vector instructions the plain build is taken', async () => {
-  assert.equal(await withoutVectors(bestBuild), 'plain');
-  const abflat = await withoutVectors(() => start());
-  assert.equal(abflat.build, 'plain');
-  assert.equal((await abflat.flatten(await abflat.sample('hemisphere'))).report.valid, true);
+test('without vector instructions one sentence says what is missing', async () => {
+  const refused = {
+    name: 'AbflatError',
+    code: 'UnsupportedHost',
+    lost: null,
+    message:
+      /^abflat needs WebAssembly with 128-bit vectors \(SIMD\), which is missing here: .*\.$/,
+  };
+  const wasmUrl = readFileSync(join(DIST, FILES.simd));
+  for (const create of [createAbflat, createAbflatSync])
+    for (const options of [{}, { build: 'simd' }, { wasmUrl }])
+      await withoutVectors(() => assert.rejects(create(options), refused));
+  assert.equal((await start()).build, BEST);
+});
+
+test('where WebAssembly is switched off the sentence says so', async () => {
+  const { WebAssembly: own } = globalThis;
+  delete globalThis.WebAssembly;
+  try {
+    for (const create of [createAbflat, createAbflatSync])
+      await assert.rejects(create(), {
+        code: 'UnsupportedHost',
+        message: /^abflat needs WebAssembly, which is switched off here/,
+      });
+  } finally {
+    globalThis.WebAssembly = own;
+  }
 });
 
 for (const build of BUILDS) {
@@ -57,12 +80,12 @@ for (const build of BUILDS) {
 }
 
 const REFUSED = [
-  ['an unknown build', { build: 'fast' }, 'InvalidOption', /one of plain, simd.*"fast"/],
+  ['an unknown build', { build: 'fast' }, 'InvalidOption', /one of simd, threads.*"fast"/],
   [
     'a build and the file of another',
-    { build: 'plain', wasmUrl: join(DIST, FILES.simd) },
+    { build: 'threads', wasmUrl: join(DIST, FILES.simd) },
     'InvalidOption',
-    /build is plain.*abflat-simd\.wasm is simd/,
+    /build is threads.*abflat-simd\.wasm is simd/,
   ],
 ];
 for (const [what, options, code, pattern] of REFUSED) {

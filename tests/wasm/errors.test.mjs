@@ -199,7 +199,7 @@ test('unknown settings of createAbflat: InvalidOption', async () => {
 test('a wrong wasmUrl: UnreadableFile that names it', async () => {
   const assertMissing = (wasmUrl, pattern) =>
     assertFails(createAbflat({ wasmUrl }), 'UnreadableFile', pattern, 'module');
-  await assertMissing('/nowhere/abflat.wasm', /nowhere/);
+  await assertMissing('/nowhere/abflat-simd.wasm', /nowhere/);
   await assertMissing(new URL('./errors.test.mjs', import.meta.url), /errors\.test\.mjs/);
 });
 

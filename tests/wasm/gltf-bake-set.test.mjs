@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
+import { KHRTextureBasisu } from '@gltf-transform/extensions';
 import { createAbflat } from 'abflat';
 import { bake } from 'abflat/gltf';
 import { assertValidFile, io, primitivesOf } from '../support/gltf.mjs';
@@ -103,6 +104,34 @@ test('KTX2 is for a reader of the caller', async () => {
     code: 'UnreadableFile',
     message: /is a KTX2 texture. Convert it to PNG, such as with 'ktx extract', or pass/,
   });
+  await assert.rejects(document.transform(bake(abflat, { decode: () => null })), {
+    code: 'UnreadableFile',
+    message: /is a KTX2 texture/,
+  });
   await document.transform(bake(abflat, { decode: () => waves(192, 128) }));
   assert.equal(imageOf(document).width, 256);
+});
+
+test('an image that the reader of the caller leaves is read as by default', async () => {
+  const document = await io.readBinary(twoLayouts());
+  await assert.rejects(document.transform(bake(abflat, { decode: async () => null })), {
+    message: /^There is no reader of images here, as in Node/,
+  });
+});
+
+test('the extension of an image format goes with its last image', async () => {
+  const decode = () => waves(192, 128);
+  for (const [isLeft, expected] of [
+    [false, []],
+    [true, ['KHR_texture_basisu']],
+  ]) {
+    const document = await io.readBinary(twoLayouts());
+    const root = document.getRoot();
+    document.createExtension(KHRTextureBasisu).setRequired(true);
+    root.listTextures()[0].setMimeType('image/ktx2');
+    if (isLeft) document.createTexture('of an extension').setMimeType('image/ktx2');
+    await document.transform(bake(abflat, { decode }));
+    const names = root.listExtensionsUsed().map(({ extensionName }) => extensionName);
+    assert.deepEqual(names, expected);
+  }
 });

@@ -64,7 +64,7 @@ function assertDeclared(text, path, name) {
 }
 
 test('the functions of the modules are declared as they are', () => {
-  assertDeclared(API, 'wasm/src/abflat.d.ts', 'NativeModule extends InputModule');
+  assertDeclared(API, 'wasm/src/native-module.ts', 'NativeModule extends InputModule');
   assertDeclared(INPUT_API, 'wasm/src/input-module.ts', 'InputModule');
   assertDeclared(PACK_API, 'wasm/src/abflat-pack.d.ts', 'PackModule extends InputModule');
   assertDeclared(BAKE_API, 'wasm/src/abflat-bake.d.ts', 'BakeModule');

@@ -213,7 +213,7 @@ test('a file that is not the module is named, and other calls work', async () =>
   assert.equal((await own.inspect(PARTS())).triangles, 4);
   own.terminate();
   const other = await createAbflat({
-    packUrl: new URL('./abflat.wasm', import.meta.resolve('abflat')),
+    packUrl: new URL('./abflat-simd.wasm', import.meta.resolve('abflat')),
   });
   await assert.rejects(other.pack(PARTS()), {
     code: 'UnreadableFile',

@@ -38,9 +38,11 @@ test('npm pack contains the licences, the changes, an example and no sources', (
     'CHANGELOG.md',
     'examples/unwrap.mjs',
     // For tools that do not read "exports".
-    ...['gltf', 'sync', 'three', 'watlas'].map((name) => `${name}/package.json`),
+    ...['gltf', 'simd', 'single', 'sync', 'threads', 'three', 'watlas'].map(
+      (name) => `${name}/package.json`,
+    ),
     'dist/index.d.ts',
-    ...['abflat', 'abflat-simd', 'abflat-threads', 'abflat-pack', 'abflat-bake'].map(
+    ...['abflat-simd', 'abflat-threads', 'abflat-pack', 'abflat-bake'].map(
       (name) => `dist/${name}.wasm`,
     ),
   ]) {
@@ -52,7 +54,7 @@ test('npm pack contains the licences, the changes, an example and no sources', (
   assert.deepEqual(
     files.filter(
       (path) =>
-        !/^(dist\/|examples\/|(((gltf|sync|three|watlas)\/)?package\.json|README\.md|LICENSE|CHANGELOG\.md)$)/.test(
+        !/^(dist\/|examples\/|(((gltf|simd|single|sync|threads|three|watlas)\/)?package\.json|README\.md|LICENSE|CHANGELOG\.md)$)/.test(
           path,
         ),
     ),
@@ -74,7 +76,8 @@ test('types and modules are found however they are resolved', async () => {
     excludeEntrypoints: NOT_IMPORTED,
   });
   assert.deepEqual(Object.keys(entrypoints).sort(), [
-    ...['.', './gltf', './package.json', './sync', './three', './watlas'],
+    ...['.', './gltf', './package.json', './simd', './single', './sync', './threads', './three'],
+    './watlas',
   ]);
   // CommonJS requires the ES modules; places.test.mjs checks what older releases of Node say.
   const others = problems.filter(({ kind }) => kind !== 'CJSResolvesToESM');

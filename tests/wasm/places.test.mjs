@@ -146,9 +146,9 @@ test(
     const other = await serve(DIST, { 'Access-Control-Allow-Origin': '*' });
     const all = ["'/abflat'", "'abflat/'", "new URL('abflat', location.href)", `'${other}'`];
     for (const [i, baseUrl] of all.entries()) {
-      const text = script('abflat', `{ baseUrl: ${baseUrl}, build: 'plain' }`);
+      const text = script('abflat', `{ baseUrl: ${baseUrl}, build: 'simd' }`);
       const root = bundled(`base-${i}`, text, { files: { abflat: DIST } });
-      assert.equal(await shown(await serve(root)), 'valid: true plain', baseUrl);
+      assert.equal(await shown(await serve(root)), 'valid: true simd', baseUrl);
     }
   },
 );

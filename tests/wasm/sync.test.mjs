@@ -167,7 +167,7 @@ test('modules are given compiled, as bytes, or by their places', async () => {
   const bytes = bytesOfFile('abflat-simd.wasm');
   const module = await WebAssembly.compile(bytes);
   const buffer = new Uint8Array(bytes).buffer;
-  const url = new URL(`file://${join(DIST, 'abflat.wasm')}`);
+  const url = new URL(`file://${join(DIST, 'abflat-simd.wasm')}`);
   for (const create of [createAbflat, createAbflatSync]) {
     for (const wasmUrl of [module, bytes, new Uint8Array(bytes), buffer]) {
       const one = await create({ wasmUrl, maxMemory: 2 ** 28 });
@@ -178,13 +178,12 @@ test('modules are given compiled, as bytes, or by their places', async () => {
     const packUrl = await WebAssembly.compile(bytesOfFile('abflat-pack.wasm'));
     const bakeUrl = bytesOfFile('abflat-bake.wasm');
     const all = await create({ wasmUrl: url, packUrl, bakeUrl });
-    assert.equal(all.build, 'plain');
     assert.equal((await all.pack(SQUARE)).report.valid, true);
     const baked = await all.bake(SQUARE, squareLayout, { factor: [1, 0, 0, 1] });
     assert.deepEqual([...baked.data.subarray(0, 4)], [255, 0, 0, 255]);
     all.terminate();
-    const placed = await create({ baseUrl: DIST, build: 'plain' });
-    assert.equal(placed.build, 'plain');
+    const placed = await create({ baseUrl: DIST, build: 'simd' });
+    assert.equal(placed.build, 'simd');
     placed.terminate();
   }
 });
@@ -199,14 +198,9 @@ test('modules that are none, or others, are refused', async () => {
     ],
     [{ wasmUrl: empty }, 'UnreadableFile', /wasmUrl is not a WebAssembly module of this version/],
     [{ wasmUrl: bytesOfFile('abflat-pack.wasm') }, 'UnreadableFile', /wasmUrl/],
-    [
-      { wasmUrl: bytesOfFile('abflat.wasm'), build: 'simd' },
-      'InvalidOption',
-      /the module given as wasmUrl is plain/,
-    ],
     [{ wasmUrl: 7 }, 'InvalidOption', /wasmUrl must be a URL/],
     [{ wasmUrl: '/nowhere.wasm' }, 'UnreadableFile', /nowhere\.wasm/],
-    [{ build: 'fast' }, 'InvalidOption', /plain, simd, threads/],
+    [{ build: 'fast' }, 'InvalidOption', /must be one of simd, threads/],
     [{ maxMemory: 1 }, 'InvalidOption', /maxMemory/],
     [{ baseUrl: 5 }, 'InvalidOption', /baseUrl must be a URL\./],
   ];

@@ -73,59 +73,54 @@ async function inPage(headers, action, argument) {
   }
 }
 
-test(
-  'an isolated page runs threads, with the bytes of the other builds',
-  NEEDS_CHROME,
-  async () => {
-    const found = await inPage(ISOLATED, async () => {
-      const { bestBuild, createAbflat } = await import('/dist/index.js');
-      const abflat = await createAbflat();
-      const plain = await createAbflat({ build: 'plain' });
-      const same = (a, b) => {
-        const [x, y] = [a, b].map(({ buffer }) => new Uint8Array(buffer));
-        return x.length > 0 && x.length === y.length && x.every((byte, i) => byte === y[i]);
-      };
-      const runs = [];
-      for (const [name, detail, options] of [
-        ['hemisphere', 1, {}],
-        ['head', 20, { t: 2 }],
-        ['head', 2, {}],
-        ['head', 2, { t: 1, memory: 1 }],
-      ]) {
-        const mesh = await plain.sample(name, { detail });
-        const wanted = await plain.flatten(mesh, { ...options, obj: true });
-        for (const threads of [0, 1, 2, 256]) {
-          const result = await abflat.flatten(mesh, { ...options, threads, obj: true });
-          runs.push({
-            same: ['uv', 'indices', 'vertexMap', 'obj'].every((key) =>
-              same(result[key], wanted[key]),
-            ),
-            faces: mesh.indices.length / 3,
-            threads,
-            used: result.report.threads,
-            valid: result.report.valid,
-          });
-        }
+test('an isolated page runs threads, with the bytes of the other build', NEEDS_CHROME, async () => {
+  const found = await inPage(ISOLATED, async () => {
+    const { bestBuild, createAbflat } = await import('/dist/index.js');
+    const abflat = await createAbflat();
+    const simd = await createAbflat({ build: 'simd' });
+    const same = (a, b) => {
+      const [x, y] = [a, b].map(({ buffer }) => new Uint8Array(buffer));
+      return x.length > 0 && x.length === y.length && x.every((byte, i) => byte === y[i]);
+    };
+    const runs = [];
+    for (const [name, detail, options] of [
+      ['hemisphere', 1, {}],
+      ['head', 20, { t: 2 }],
+      ['head', 2, {}],
+      ['head', 2, { t: 1, memory: 1 }],
+    ]) {
+      const mesh = await simd.sample(name, { detail });
+      const wanted = await simd.flatten(mesh, { ...options, obj: true });
+      for (const threads of [0, 1, 2, 256]) {
+        const result = await abflat.flatten(mesh, { ...options, threads, obj: true });
+        runs.push({
+          same: ['uv', 'indices', 'vertexMap', 'obj'].every((key) =>
+            same(result[key], wanted[key]),
+          ),
+          faces: mesh.indices.length / 3,
+          threads,
+          used: result.report.threads,
+          valid: result.report.valid,
+        });
       }
-      const processors = new Worker(
-        URL.createObjectURL(new Blob(['postMessage(navigator.hardwareConcurrency)'])),
-      );
-      const count = await new Promise((resolve) => {
-        processors.onmessage = ({ data }) => resolve(data);
-      });
-      return { best: bestBuild(), build: abflat.build, plain: plain.build, runs, count };
-    });
-    assert.deepEqual([found.best, found.build, found.plain], ['threads', 'threads', 'plain']);
-    for (const { same, faces, threads, used, valid } of found.runs) {
-      assert.ok(same, `${faces} faces, ${threads} threads`);
-      assert.ok(valid);
-      if (faces < 4000) assert.equal(used, 1);
-      else
-        assert.ok(used <= Math.min(found.count, threads || 256), `${used} of ${threads} threads`);
-      if (faces >= 4000 && threads === 2) assert.equal(used, Math.min(found.count, 2));
     }
-  },
-);
+    const processors = new Worker(
+      URL.createObjectURL(new Blob(['postMessage(navigator.hardwareConcurrency)'])),
+    );
+    const count = await new Promise((resolve) => {
+      processors.onmessage = ({ data }) => resolve(data);
+    });
+    return { best: bestBuild(), build: abflat.build, simd: simd.build, runs, count };
+  });
+  assert.deepEqual([found.best, found.build, found.simd], ['threads', 'threads', 'simd']);
+  for (const { same, faces, threads, used, valid } of found.runs) {
+    assert.ok(same, `${faces} faces, ${threads} threads`);
+    assert.ok(valid);
+    if (faces < 4000) assert.equal(used, 1);
+    else assert.ok(used <= Math.min(found.count, threads || 256), `${used} of ${threads} threads`);
+    if (faces >= 4000 && threads === 2) assert.equal(used, Math.min(found.count, 2));
+  }
+});
 
 test('atlases do not depend on threads or build', NEEDS_CHROME, async () => {
   const ball = sphere(28);
@@ -141,9 +136,7 @@ test('atlases do not depend on threads or build', NEEDS_CHROME, async () => {
         positions: Float64Array.from(positions),
         indices: Uint32Array.from(indices),
       };
-      const builds = await Promise.all(
-        ['plain', 'simd', 'threads'].map((build) => createAbflat({ build })),
-      );
+      const builds = await Promise.all(['simd', 'threads'].map((build) => createAbflat({ build })));
       const same = (a, b) => {
         const [x, y] = [a, b].map(({ buffer }) => new Uint8Array(buffer));
         return x.length > 0 && x.length === y.length && x.every((byte, i) => byte === y[i]);
@@ -168,7 +161,7 @@ test('atlases do not depend on threads or build', NEEDS_CHROME, async () => {
     },
     argument,
   );
-  assert.equal(found.length, 9);
+  assert.equal(found.length, 6);
   for (const { build, threads, used, different, valid } of found) {
     assert.deepEqual(different, [], `${build}, ${threads} threads`);
     assert.ok(valid);
@@ -217,9 +210,9 @@ test(
   async () => {
     const found = await inPage(ISOLATED, async () => {
       const { createAbflat } = await import('/dist/index.js');
-      const plain = await createAbflat({ build: 'plain' });
-      const large = await plain.sample('head', { detail: 20 });
-      const small = await plain.sample('hemisphere');
+      const simd = await createAbflat({ build: 'simd' });
+      const large = await simd.sample('head', { detail: 20 });
+      const small = await simd.sample('hemisphere');
       const abflat = await createAbflat({ build: 'threads' });
       const aborted = [];
       for (const steps of [1, 2, 3]) {

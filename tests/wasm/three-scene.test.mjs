@@ -101,7 +101,10 @@ test('instances share texels, sized for the largest of them, and a note says so'
     preset: 'lightmap',
     resolution: 256,
   });
-  assert.match(result.report.notes[0], /3 instances share 1 geometry.*largest.*InstancedMesh/);
+  assert.match(
+    result.report.notes[0],
+    /3 instances share 1 geometry.*largest.*separate meshes can have texels of their own/,
+  );
   assert.equal(meshes.length, 2);
   assert.ok(Math.abs(meshes[0].worldScale - 3) < 1e-6, 'as the largest');
   const { texelDensity, resolution } = result.report.atlas;
@@ -232,12 +235,110 @@ test('assign: false leaves the scene as it is', async () => {
   assert.ok(before.every(({ attributes }) => !attributes.uv1));
 });
 
+/** With corners in common, so that any seam needs more vertices. */
+function cubeOfEight() {
+  const { attributes, index } = new THREE.BoxGeometry();
+  const placeOf = (v) => ['getX', 'getY', 'getZ'].map((get) => attributes.position[get](v));
+  const keys = [...new Set([...Array(24).keys()].map((v) => placeOf(v).join()))];
+  const cube = new THREE.BufferGeometry();
+  cube.setAttribute(
+    'position',
+    new THREE.Float32BufferAttribute(
+      keys.flatMap((key) => key.split(',').map(Number)),
+      3,
+    ),
+  );
+  return cube.setIndex([...index.array].map((v) => keys.indexOf(placeOf(v).join())));
+}
+
+/** An instance of each geometry, side by side, with room for so many vertices each. */
+function batchOf(geometries, room) {
+  const batch = new THREE.BatchedMesh(20, 20_000, 60_000, material);
+  for (const [i, geometry] of geometries.entries()) {
+    const id = batch.addGeometry(geometry, room);
+    batch.setMatrixAt(batch.addInstance(id), new THREE.Matrix4().makeTranslation(3 * i, 0, 0));
+  }
+  return batch;
+}
+
+/** The triangles that an instance of a BatchedMesh draws: three vertices each, `size` numbers of each. */
+function drawnOf(batch, geometryId, name, size) {
+  const { start, count } = batch.getGeometryRangeAt(geometryId);
+  const attribute = batch.geometry.getAttribute(name);
+  const { index } = batch.geometry;
+  return Array.from({ length: count }, (_, i) => {
+    const vertex = index ? index.getX(start + i) : start + i;
+    return Array.from({ length: size }, (_, d) => attribute.getComponent(vertex, d));
+  });
+}
+
+for (const kind of ['with an index', 'without'])
+  test(`the geometries of a BatchedMesh stay in their ranges, ${kind}`, async () => {
+    const shapes = [cubeOfEight(), new THREE.TorusGeometry(1, 0.4, 8, 16), cubeOfEight()].map(
+      (shape) => {
+        const bare = new THREE.BufferGeometry();
+        bare.setAttribute('position', shape.attributes.position);
+        bare.setIndex(shape.index);
+        return kind === 'without' ? bare.toNonIndexed() : bare;
+      },
+    );
+    const batch = batchOf(shapes, kind === 'without' ? undefined : 800);
+    // Twice as large, and one that nobody sees.
+    batch.setMatrixAt(batch.addInstance(0), new THREE.Matrix4().makeScale(2, 2, -2));
+    batch.setVisibleAt(2, false);
+    batch.deleteInstance(batch.addInstance(1));
+    const ranges = () =>
+      shapes.map((_, id) => {
+        const { vertexStart, reservedVertexCount } = batch.getGeometryRangeAt(id);
+        return [vertexStart, reservedVertexCount];
+      });
+    const before = {
+      ranges: ranges(),
+      places: [0, 1, 2].map((id) => drawnOf(batch, id, 'position', 3)),
+    };
+    const scene = sceneOf(batch, meshOf(new THREE.BoxGeometry(), 'box', 20));
+    const { result, meshes } = await unwrapScene(abflat, scene, { resolution: 512 });
+    assert.ok(result.report.valid);
+    assert.deepEqual(
+      meshes.map(({ mesh, geometryId }) => [mesh === batch, geometryId]),
+      [
+        [true, 0],
+        [true, 1],
+        [false, undefined],
+      ],
+    );
+    assert.ok(Math.abs(meshes[0].worldScale - 2) < 1e-9);
+    assert.match(result.report.notes.join(), /2 meshes and instances share 1 geometry/);
+    assert.deepEqual(ranges(), before.ranges);
+    for (const id of [0, 1, 2])
+      assert.deepEqual(drawnOf(batch, id, 'position', 3), before.places[id]);
+    // What is drawn has the texcoords of the result.
+    for (const { geometryId, firstTriangle, triangleCount } of meshes.slice(0, 2)) {
+      const uv = drawnOf(batch, geometryId, 'uv1', 2);
+      const corners = result.indices.subarray(
+        3 * firstTriangle,
+        3 * (firstTriangle + triangleCount),
+      );
+      const wanted = [...corners].map((v) =>
+        [...result.uv.subarray(2 * v, 2 * v + 2)].map(Math.fround),
+      );
+      // The largest cube is mirrored, so its triangles were turned over.
+      const sorted = (list) => list.map((each) => each.join()).sort();
+      assert.deepEqual(sorted(uv), sorted(wanted));
+    }
+    assert.ok(
+      drawnOf(batch, 2, 'uv1', 2)
+        .flat()
+        .every((x) => x === 0),
+    );
+  });
+
 test('what goes wrong leaves the scene as it was, and is said with its place', async () => {
   const wrong = new THREE.BoxGeometry();
   wrong.attributes.position.setX(3, Number.NaN);
   const beyond = new THREE.BoxGeometry();
   beyond.setIndex([0, 1, 99]);
-  const batched = new THREE.BatchedMesh(2, 100, 100, material);
+  const batched = batchOf([cubeOfEight()]);
   const box = () => meshOf(new THREE.BoxGeometry(), 'box');
   for (const [object, options, code, pattern] of [
     [sceneOf(box(), meshOf(wrong, 'wrong')), {}, 'InvalidMesh', /"wrong": vertex 3 .* not finite/],
@@ -246,7 +347,7 @@ test('what goes wrong leaves the scene as it was, and is said with its place', a
       sceneOf(box(), meshOf(undefined, 'batch', 0, batched)),
       {},
       'InvalidMesh',
-      /"batch".*BatchedMesh/,
+      /"batch".*geometry 0 of the BatchedMesh has \d+ vertices, and there is room for 8/,
     ],
     [sceneOf(box()), { resolution: 64, texelDensity: 1000 }, 'AtlasTooSmall', /./],
     [new THREE.Scene(), {}, 'EmptyMesh', /No visible mesh/],

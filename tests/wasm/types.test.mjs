@@ -31,7 +31,10 @@ export const wrong = (abflat: Abflat) => abflat.unwrap({ positions: [] }, { padd
 `;
 const SYNC = `
 import { createAbflat, type UnwrapResult } from 'abflat';
+import { createAbflat as createSimd } from 'abflat/simd';
+import { type AbflatSingle, createAbflatSync as createSingle } from 'abflat/single';
 import { type AbflatSync, createAbflatSync } from 'abflat/sync';
+import { createAbflat as createThreads } from 'abflat/threads';
 import { Atlas, createWatlas, Initialize, type MeshDecl } from 'abflat/watlas';
 
 export async function now(bytes: Uint8Array, module: object): Promise<UnwrapResult[]> {
@@ -39,7 +42,7 @@ export async function now(bytes: Uint8Array, module: object): Promise<UnwrapResu
   const mesh = abflat.sample('head');
   const layout: UnwrapResult = abflat.unwrap(mesh, { padding: 4, onProgress: ({ stage }) => void stage });
   await createAbflat({ workers: 2, queue: 4, wasmUrl: bytes });
-  await Initialize({ wasmUrl: '/abflat.wasm' });
+  await Initialize({ wasmUrl: '/abflat-simd.wasm' });
   const decl: MeshDecl = { vertexCount: 3, vertexPositionData: new Float32Array(9), vertexPositionStride: 12 };
   const atlas: Atlas = new Atlas();
   atlas.addMesh(decl);
@@ -47,6 +50,9 @@ export async function now(bytes: Uint8Array, module: object): Promise<UnwrapResu
   const [u, v]: [number, number] = atlas.getMesh(0).getVertex(0).uv;
   const { Atlas: Own } = createWatlas(abflat, { maxStretch: 1 + u + v });
   new Own().delete();
+  const single: AbflatSingle = createSingle({ maxMemory: 2 ** 30 });
+  single.unwrap(mesh);
+  for (const create of [createSimd, createThreads]) (await create({ workers: 2 })).terminate();
   return [layout];
 }
 // @ts-expect-error The result is no promise.

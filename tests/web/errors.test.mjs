@@ -184,9 +184,22 @@ test('a program that cannot be loaded is reported, and loaded when it can be', a
   await tryAgain(page);
 });
 
+test('a browser without vectors is told what is missing', async (t) => {
+  const page = await openPage(t, {
+    prepare: (page) =>
+      page.addInitScript(() => {
+        WebAssembly.validate = () => false;
+      }),
+  });
+  assert.match(
+    await page.locator('#alert p').first().innerText(),
+    /^Head was not opened: abflat needs WebAssembly with 128-bit vectors .* Safari 16\.4/,
+  );
+});
+
 for (const [which, script] of [
-  ['that draws', /\/assets\/worker-(?!plain-|simd-|threads-)/],
-  ['that unwraps', /\/assets\/worker-(plain|simd|threads)-/],
+  ['that draws', /\/assets\/worker-(?!simd-|threads-)/],
+  ['that unwraps', /\/assets\/worker-(simd|threads)-/],
 ])
   test(`a worker ${which} and cannot be loaded is reported, and loaded when it can be`, async (t) => {
     const page = await openPage(t, {

@@ -10,7 +10,17 @@ import { takePage } from './pages.mjs';
 /** In bytes, compressed. What is not needed for a first look is loaded when it is. */
 const MOST = 500_000;
 /** Loaded when they are asked for. */
-const ON_REQUEST = ['draco', 'meshopt', 'samples/', 'pack-', 'bake', 'zip-'];
+const ON_REQUEST = [
+  'draco',
+  'meshopt',
+  'fbx',
+  'basis',
+  'ktx2',
+  'samples/',
+  'pack-',
+  'bake',
+  'zip-',
+];
 
 test('a first visit loads little before the first layout', async (t) => {
   const { page, url, end } = await takePage({ own: true, webgl: true });

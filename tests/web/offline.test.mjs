@@ -341,7 +341,7 @@ test('the list has every file of the page once, with what is sent for it', () =>
     names.sort(),
   );
   for (const path of listed) assert.ok(existsSync(join(WEB_DIST, path)), path);
-  assert.deepEqual(Object.keys(modules).sort(), ['plain', 'simd', 'threads']);
+  assert.deepEqual(Object.keys(modules).sort(), ['simd', 'threads']);
   const [line] = readFileSync(join(WEB_DIST, 'sw.js'), 'utf8').split('\n');
   assert.equal(line, `const BUILD = ${JSON.stringify({ version, files, modules })};`);
   assert.notEqual(listBuild(WEB_DIST, {}).version, version);

@@ -85,7 +85,8 @@ test('what is no mesh, has no faces or is no image leaves the mesh that is open'
     ['cat.mtl', 'newmtl cat\n', /^cat\.mtl is not a mesh\./],
     ['empty.obj', '', /^empty\.obj is empty\./],
     ['words.obj', '# a cube\n', /^words\.obj contains no mesh \(no v or f lines\)\.(\n|$)/],
-    ['doc.fbx', 'Kaydara FBX Binary', /^doc\.fbx is not supported\. Export it as glTF /],
+    ['doc.fbx', 'Kaydara FBX Binary', /^doc\.fbx is not an FBX file, because it does not begin /],
+    ['doc.blend', 'BLENDER-v301', /^doc\.blend is not supported\. Export it as glTF /],
     ['points.obj', 'v 0 0 0\nv 1 0 0\n', /^points\.obj has 2 vertices but no faces/],
   ]) {
     await dropFiles(page, { [name]: content });

@@ -80,7 +80,7 @@ test('each object fills a tile of its own; in the link, the files, after a reloa
   assert.match(await info(page), /, 3 tiles/);
   assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.match(page.url(), /#unwrap&tiles=object$/);
-  assert.equal(await textOf(page, '#more-state'), 'tiles one per object');
+  assert.equal(await textOf(page, '#more-state'), 'tiles per object');
   assert.ok(await page.isDisabled('#more-udim'));
   const tiled = await exported(page, PARTS);
   areTiled(tiled);

@@ -39,7 +39,7 @@ if (args[0] === '--build') {
       copyFileSync(join(modules, name), join(args[1], name));
   };
   const wait = () => (existsSync(join(played, 'go')) ? deliver() : setTimeout(wait, 100));
-  if (basename(args[1]) === 'wasm-simd') deliver();
+  if (basename(args[1]) === 'wasm') deliver();
   else wait();
 } else {
   const defines = args.filter((arg) => arg.startsWith('-D')).map((arg) => arg.slice(2).replace('=', ':STRING='));
@@ -153,7 +153,7 @@ test(
     page.on('pageerror', (error) => problems.push(String(error)));
     const first = await loadPage(page, address);
     const script = await page.evaluate(() => document.querySelector('script[src]').src);
-    assert.ok(existsSync(join(copy, 'build/wasm-simd/abflat.wasm')), first.join());
+    assert.ok(existsSync(join(copy, 'build/wasm/abflat.wasm')), first.join());
     assert.ok(!existsSync(join(copy, 'build/wasm-threads/abflat-threads.wasm')));
     writeFileSync(join(folder, 'go'), '');
     await said(/All is built: load http:\S+ again/);

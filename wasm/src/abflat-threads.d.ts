@@ -1,2 +1,6 @@
-// The same module with vector instructions and threads.
-export { default } from './abflat.js';
+// The same module with threads.
+
+import type { NativeSettings } from './glue.js';
+import type { NativeModule } from './native-module.js';
+
+export default function createNative(settings: NativeSettings): Promise<NativeModule>;

@@ -5,29 +5,19 @@ import createPack from './abflat-pack.js';
 import { bakeCall } from './bake-call.js';
 import { BakeEngine } from './bake-engine.js';
 import { buildOf } from './base/build-of.js';
-import { hasVectors, type LateName, type LocalName } from './base/builds.js';
+import { BUILDS, type LateName, type LocalName } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
 import { MAX_MEMORY } from './base/memory.js';
-import {
-  compareCall,
-  flattenCall,
-  inspectCall,
-  loadCall,
-  packCall,
-  pinWeightsCall,
-  sampleCall,
-  unwrapCall,
-} from './calls.js';
+import { packCall } from './calls.js';
 import { Engine } from './engine.js';
 import { fileIn, wasmName } from './file-in.js';
 import { type Placed, withModules, withoutModules } from './given-modules.js';
 import type { CreateModule } from './glue.js';
-import { plain } from './glue-plain.js';
 import { simd } from './glue-simd.js';
 import type { Instance } from './instantiate.js';
-import { checkFound, checkVersion, lateModule, moduleFrom } from './load-module.js';
+import { lateModule, moduleFrom } from './load-module.js';
 import { LocalModule, type Runner, starterOf } from './local-module.js';
-import type { Description } from './messages/protocol.js';
+import { mainCalls } from './main-calls.js';
 import {
   checkAddress,
   checkBuild,
@@ -68,19 +58,8 @@ export async function connectSync(
     wanted.has('pack') ? startLate('pack', createPack, PackEngine.of) : undefined,
     wanted.has('bake') ? startLate('bake', createBake, BakeEngine.of) : undefined,
   ]);
-  const request = { kind: 'describe' } as const;
-  const description = main.answer<Description>({ request, settings: {} });
-  checkVersion(description);
   return {
-    build: description.build,
-    flatten: (mesh, settings = {}) => main.answer(flattenCall(main, mesh, settings)),
-    unwrap: (mesh, settings = {}) => main.answer(unwrapCall(main, mesh, settings)),
-    compare: (mesh, settings = {}) => main.answer(compareCall(main, mesh, settings)),
-    inspect: (mesh, settings = {}) => main.answer(inspectCall(main, mesh, settings)),
-    pinWeights: (mesh, pins, settings = {}) =>
-      main.answer(pinWeightsCall(main, mesh, pins, settings)),
-    load: (file, settings = {}) => main.answer(loadCall(main, file, settings)),
-    sample: (name, settings = {}) => main.answer(sampleCall(main, name, settings)),
+    ...mainCalls(main),
     pack: (mesh, settings = {}) => {
       const packer = there('pack', pack);
       packer.checkUsable();
@@ -121,22 +100,18 @@ async function startMain(
   { build, baseUrl, wasmUrl }: Placed<CreateSyncOptions>,
   maxMemory: number,
 ): Promise<LocalModule> {
-  checkBuild(build);
+  checkBuild(build, BUILDS);
   if (build === 'threads') throw noThreads();
-  const wanted = build ?? (hasVectors() ? 'simd' : 'plain');
-  const source = wasmUrl ?? fileIn(files, baseUrl, wasmName(wanted));
-  const module = await tellingHow('wasmUrl', source, moduleFrom(files, wanted, source));
-  const found = buildOf(module);
-  if (found === 'threads') throw noThreads();
-  checkFound(found, build, source);
-  const { create } = { plain, simd }[found];
-  return LocalModule.start(starterOf(module, maxMemory, create, Engine.of));
+  const source = wasmUrl ?? fileIn(files, baseUrl, wasmName('simd'));
+  const module = await tellingHow('wasmUrl', source, moduleFrom(files, 'simd', source));
+  if (buildOf(module) === 'threads') throw noThreads();
+  return LocalModule.start(starterOf(module, maxMemory, simd.create, Engine.of));
 }
 
 const noThreads = () =>
   new AbflatError(
     'InvalidOption',
-    'The threads build cannot run in the calling thread. Use simd or plain, or createAbflat.',
+    'The threads build cannot run in the calling thread. Use simd, or createAbflat.',
   );
 
 /** Some hosts cannot read files: they import modules, which can be handed over. */

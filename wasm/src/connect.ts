@@ -36,7 +36,7 @@ import type { Abflat, CreateOptions } from './types/index.js';
 type MakeLane<L extends Lane> = (platform: Platform, settings: ClientSettings) => L;
 
 export async function connect(platform: Platform, given: CreateOptions = {}): Promise<Abflat> {
-  const options = knownOptions(given, KEYS.create);
+  const options = withBuild(platform, knownOptions(given, KEYS.create));
   const { workers, queue, wasmUrl, packUrl, bakeUrl } = options;
   const isUsual = workers === undefined && queue === undefined;
   if (isUsual && ![wasmUrl, packUrl, bakeUrl].some(isModuleItself))
@@ -47,6 +47,13 @@ export async function connect(platform: Platform, given: CreateOptions = {}): Pr
     );
   const { openPool } = await loadRest();
   return openPool(platform, options, open);
+}
+
+/** With only one there is no choice. */
+function withBuild({ builds }: Platform, options: CreateOptions): CreateOptions {
+  checkBuild(options.build, builds);
+  const [only] = builds.length === 1 ? builds : [];
+  return only === undefined ? options : { ...options, build: only };
 }
 
 type Wanted = Pick<CreateOptions, 'build' | 'baseUrl' | 'workerUrl'> & { wasmUrl?: Address };
@@ -152,7 +159,6 @@ async function loadModule(
   platform: Platform,
   { build, baseUrl, wasmUrl }: Wanted,
 ): Promise<WebAssembly.Module> {
-  checkBuild(build);
   if (build === 'threads') checkThreads(platform);
   const wanted = build ?? bestBuild();
   const address = wasmUrl ?? fileIn(platform, baseUrl, wasmName(wanted));

@@ -1,6 +1,5 @@
 // The calls that the WebAssembly module answers. Runs in the worker, where it may block.
 
-import type { NativeModule } from './abflat.js';
 import { buildOf } from './base/build-of.js';
 import type { Build } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
@@ -19,6 +18,7 @@ import type {
   Request,
   UnwrapRequest,
 } from './messages/protocol.js';
+import type { NativeModule } from './native-module.js';
 import type {
   Comparison,
   FlattenResult,

@@ -16,5 +16,4 @@ export function fileIn(
 }
 
 /** Only the name of the file. */
-export const wasmName = (name: ModuleName) =>
-  name === 'plain' ? 'abflat.wasm' : `abflat-${name}.wasm`;
+export const wasmName = (name: ModuleName) => `abflat-${name}.wasm`;

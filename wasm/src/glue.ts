@@ -1,5 +1,5 @@
-import type { NativeModule } from './abflat.js';
 import type { Build } from './base/builds.js';
+import type { NativeModule } from './native-module.js';
 
 /** What a module is given when it is made. */
 export interface NativeSettings {

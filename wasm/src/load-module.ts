@@ -1,16 +1,18 @@
 import { isModule } from './base/build-of.js';
 import type { Build, LateName, ModuleName } from './base/builds.js';
+import { checkHost } from './base/check-host.js';
 import { AbflatError, messageOf } from './base/errors.js';
-import { STATUS_NAMES } from './base/generated.js';
+import { MODULE_STATUS_COUNT, STATUS_NAMES } from './base/generated.js';
 import type { Description } from './messages/protocol.js';
 import type { Address, Files } from './platform.js';
 
 /** That at an address; the one beside the scripts if none is given. */
-export function moduleFrom<Name extends ModuleName>(
+export async function moduleFrom<Name extends ModuleName>(
   files: Files<Name>,
   name: Name,
   address: Address | undefined,
 ): Promise<WebAssembly.Module> {
+  checkHost();
   return files.loadModule(name, address).catch((error: unknown) => {
     throw new AbflatError('UnreadableFile', messageOf(error), 'module');
   });
@@ -45,9 +47,9 @@ export function checkFound(
 
 /** The module and these files have to number statuses alike. */
 export function checkVersion({ statuses }: Description): void {
-  if (statuses.join() === STATUS_NAMES.join()) return;
+  if (statuses.join() === STATUS_NAMES.slice(0, MODULE_STATUS_COUNT).join()) return;
   throw new AbflatError(
     'Internal',
-    'The versions of abflat.wasm and abflat differ. Use files of one version.',
+    'The versions of the module and of abflat differ. Use files of one version.',
   );
 }

@@ -12,8 +12,6 @@ export function localFile(name: LocalName): URL {
       'A bundle that is not an ES module cannot find its files.',
     );
   switch (name) {
-    case 'plain':
-      return new URL('./abflat.wasm', import.meta.url);
     case 'simd':
       return new URL('./abflat-simd.wasm', import.meta.url);
     case 'pack':

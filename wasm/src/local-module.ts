@@ -50,6 +50,16 @@ export class LocalModule implements Caller {
     this.#runner = runner;
   }
 
+  /** Where a module can start at once. */
+  static startNow(starter: Starter): LocalModule {
+    const runner = starter.now();
+    if (runner) return new LocalModule(starter, runner);
+    throw new AbflatError(
+      'UnsupportedHost',
+      'WebAssembly starts only a moment later in this thread.',
+    );
+  }
+
   static async start(starter: Starter): Promise<LocalModule> {
     return new LocalModule(starter, await starter.later());
   }

@@ -6,7 +6,7 @@ import type { Abflat, CreateOptions } from './types/index.js';
 
 export * from './exports.js';
 
-/** Starts a worker thread. Rejects when abflat.wasm or the worker's script cannot be loaded. */
+/** Starts a worker thread. Rejects when the module or the worker's script cannot be loaded. */
 export function createAbflat(options?: CreateOptions): Promise<Abflat> {
   return connect(node, options);
 }

@@ -1,28 +1,48 @@
-import { type ModuleName, whyNoThreads } from './base/builds.js';
+import { BUILDS, type Build, type LateName, type ModuleName, whyNoThreads } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
 import { addressOf, browserFiles, COPY } from './files-browser.js';
 import type { FromWorker } from './messages/protocol.js';
 import type { Address, Platform, WorkerHandle } from './platform.js';
-import { wasmFile } from './wasm-file.js';
 
-export const browser: Platform = {
-  ...browserFiles(wasmFile),
+/** How a module and its worker are named so that bundlers find them. */
+export interface OwnFile {
+  wasm(): URL;
+  worker(): Worker;
+}
 
-  whyNoThreads,
+/** Of the builds that an entry has, and of what all have. */
+export type OwnFiles = Record<LateName, OwnFile> & Partial<Record<Build, OwnFile>>;
 
-  workerFile: (name) => `worker-${name}.js`,
+export function browserPlatform(own: OwnFiles): Platform {
+  const fileOf = (name: ModuleName) => {
+    const file = own[name];
+    if (file && here) return file;
+    throw new AbflatError(
+      'UnreadableFile',
+      'A bundle that is not an ES module cannot find its files. Pass baseUrl to createAbflat.',
+    );
+  };
+  return {
+    ...browserFiles((name) => fileOf(name).wasm()),
 
-  startWorker(events, name, address) {
-    const worker = openWorker(name, address);
-    worker.onmessage = (event: MessageEvent<FromWorker>) => events.onMessage(event.data);
-    worker.onmessageerror = () => events.onCrash(crash('a message from it cannot be read'));
-    worker.onerror = (event) => {
-      event.preventDefault();
-      events.onCrash(event.message ? crash(event.message) : notLoaded(address));
-    };
-    return handleOf(worker);
-  },
-};
+    builds: BUILDS.filter((build) => own[build]),
+
+    whyNoThreads,
+
+    workerFile: (name) => `worker-${name}.js`,
+
+    startWorker(events, name, address) {
+      const worker = openWorker(name, address, () => fileOf(name).worker());
+      worker.onmessage = (event: MessageEvent<FromWorker>) => events.onMessage(event.data);
+      worker.onmessageerror = () => events.onCrash(crash('a message from it cannot be read'));
+      worker.onerror = (event) => {
+        event.preventDefault();
+        events.onCrash(event.message ? crash(event.message) : notLoaded(address));
+      };
+      return handleOf(worker);
+    },
+  };
+}
 
 const crash = (reason: string) =>
   new AbflatError('Internal', `The worker of abflat stopped: ${reason}`, 'stopped');
@@ -43,36 +63,17 @@ function notLoaded(address?: Address): AbflatError {
   );
 }
 
-function openWorker(name: ModuleName, address?: Address): Worker {
+function openWorker(name: ModuleName, address: Address | undefined, openOwn: () => Worker): Worker {
   const url = address === undefined ? new URL(`./worker-${name}.js`, here) : addressOf(address);
   try {
     if (isForeign(url)) return openForeignWorker(url);
-    return address === undefined ? openOwnWorker(name) : new Worker(url, { type: 'module' });
+    return address === undefined ? openOwn() : new Worker(url, { type: 'module' });
   } catch (error) {
     throw new AbflatError(
       'UnreadableFile',
       `The browser cannot start the worker of abflat: ${messageOf(error)}.`,
       'worker',
     );
-  }
-}
-
-/**
- * Bundlers find the workers' files by exactly these expressions. There is one per module because not
- * all worker formats that bundlers write allow parts to be loaded later.
- */
-function openOwnWorker(name: ModuleName): Worker {
-  switch (name) {
-    case 'plain':
-      return new Worker(new URL('./worker-plain.js', import.meta.url), { type: 'module' });
-    case 'simd':
-      return new Worker(new URL('./worker-simd.js', import.meta.url), { type: 'module' });
-    case 'threads':
-      return new Worker(new URL('./worker-threads.js', import.meta.url), { type: 'module' });
-    case 'pack':
-      return new Worker(new URL('./worker-pack.js', import.meta.url), { type: 'module' });
-    case 'bake':
-      return new Worker(new URL('./worker-bake.js', import.meta.url), { type: 'module' });
   }
 }
 

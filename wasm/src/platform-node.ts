@@ -1,5 +1,6 @@
 import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
+import { BUILDS } from './base/builds.js';
 import { AbflatError, messageOf } from './base/errors.js';
 import { KEEP, nodeFiles, pathOf } from './files-node.js';
 import { ownFields } from './messages/fields.js';
@@ -9,6 +10,8 @@ import { wasmFile } from './wasm-file.js';
 
 export const node: Platform = {
   ...nodeFiles(wasmFile),
+
+  builds: BUILDS,
 
   whyNoThreads: () => undefined,
 

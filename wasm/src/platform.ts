@@ -1,4 +1,4 @@
-import type { ModuleName } from './base/builds.js';
+import type { Build, ModuleName } from './base/builds.js';
 import type { AbflatError } from './base/errors.js';
 import type { FromWorker, ToWorker } from './messages/protocol.js';
 import type { UrlLike } from './types/index.js';
@@ -35,6 +35,8 @@ export type FileBeside<Name> = (name: Name) => URL;
 
 /** What browsers and Node do differently. */
 export interface Platform extends Files {
+  /** Those that it has files of. */
+  readonly builds: readonly Build[];
   /** Why the build with threads cannot run here; undefined if it can. */
   whyNoThreads(): string | undefined;
   /** The script of the worker that runs a module. */

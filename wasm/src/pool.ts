@@ -1,6 +1,5 @@
 // Several workers that run the main module, and modules that callers hand over.
 
-import { hasVectors } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
 import type { CallSettings } from './call.js';
 import { Client, type ClientSettings, type Lane } from './client.js';
@@ -29,7 +28,7 @@ export async function openPool(
   check('workers', workers, { from: 1, to: MOST_WORKERS });
   if (queue !== undefined) check('queue', queue, { from: 0 });
   // Several meshes at a time use several processors already.
-  const build = options.build ?? (hasVectors() ? 'simd' : 'plain');
+  const build = options.build ?? 'simd';
   const usesBuild = workers > 1 && options.wasmUrl === undefined;
   const settings = usesBuild ? { ...options, build } : options;
   const placed = withoutModules(settings);

@@ -6,8 +6,9 @@ import { fieldOf, ownFields } from './messages/fields.js';
 import { neededFor } from './messages/needed-arrays.js';
 import { checkAbflat, checkBoolean, checkString, optionsOf } from './messages/validate.js';
 import { checkWeights, densitiesFor, type Weights } from './messages/weights.js';
-import { checkPages, layPages, type PageOptions, pagesNote } from './pages.js';
+import { checkPages, layPages, type PageOptions, pagesNote, type Sized } from './pages.js';
 import { type PresetOptions, withPreset } from './preset.js';
+import { assignBatched, checkRoom, isBatched, likeBatched } from './three/batched.js';
 import { withPartOf } from './three/put-layout.js';
 import { type SceneMesh, type ScenePart, sceneMesh } from './three/scene-mesh.js';
 import { type Subject, sharingNotes, subjectsBelow } from './three/scene-objects.js';
@@ -61,6 +62,8 @@ export interface UnwrappedScene {
 /** What a mesh of the scene gets. */
 export interface UnwrappedMesh {
   mesh: Mesh;
+  /** Which geometry of a BatchedMesh this is; not there for other meshes. */
+  geometryId?: number;
   /** With the new coordinates. */
   geometry: BufferGeometry;
   /** The one that the mesh had, which may be disposed of if nothing else uses it. */
@@ -114,9 +117,9 @@ export async function unwrapScene(
   };
   const laid =
     pages === undefined
-      ? [{ things: subjects, result: await unwrapMesh(scene, {}, true) }]
+      ? [{ things: [subjects], result: await unwrapMesh(scene, {}, true) }]
       : await layPages(sizedOf(subjects, scene), pages, options, (each, more) =>
-          unwrapMesh(sceneMesh(each, readAttribute), more, true),
+          unwrapMesh(sceneMesh(each.flat(), readAttribute), more, true),
         );
   const results = laid.map((page) => page.result);
   const result = results[0] as UnwrapResult;
@@ -125,20 +128,37 @@ export async function unwrapScene(
     ...sharingNotes(subjects, ownTexels),
   );
   const meshes = laid.flatMap((each, page) => {
-    const { parts } = pages === undefined ? scene : sceneMesh(each.things, readAttribute);
+    const { parts } = pages === undefined ? scene : sceneMesh(each.things.flat(), readAttribute);
     return parts.flatMap((part) =>
       unwrappedOf(part, page, withPartOf(each.result, part, attribute)),
     );
   });
-  if (assign) for (const { mesh, geometry } of meshes) mesh.geometry = geometry;
+  if (assign) assignAll(meshes, attribute);
   return { results, result, meshes };
 }
 
-const sizedOf = (subjects: Subject[], { parts }: SceneMesh) =>
-  subjects.map((thing, i) => {
+/** What lies on one page as a whole: all geometries of a BatchedMesh, which has one material. */
+function sizedOf(subjects: Subject[], { parts }: SceneMesh): Sized<Subject[]>[] {
+  const groups = new Map<unknown, Sized<Subject[]>>();
+  for (const [i, subject] of subjects.entries()) {
     const { area, weight } = parts[i] as ScenePart;
-    return { thing, size: area * weight * weight };
-  });
+    const key = subject.geometryId === undefined ? subject : subject.meshes[0];
+    const group = groups.get(key) ?? { thing: [], size: 0 };
+    group.thing.push(subject);
+    group.size += area * weight * weight;
+    groups.set(key, group);
+  }
+  return [...groups.values()];
+}
+
+/** All of them, or none if one has no room. */
+function assignAll(meshes: readonly UnwrappedMesh[], attribute: string): void {
+  for (const { mesh, geometry, geometryId } of meshes)
+    if (isBatched(mesh)) checkRoom(mesh, geometryId as number, geometry);
+  for (const { mesh, geometry, geometryId } of meshes)
+    if (isBatched(mesh)) assignBatched(mesh, geometryId as number, geometry, attribute);
+    else mesh.geometry = geometry;
+}
 
 /** What is kept comes from the attribute that is written. */
 const usualSource = ({ fixedFaces, attribute = 'uv1' }: UnwrapSceneOptions) =>
@@ -169,11 +189,12 @@ const OF_ONE_GEOMETRY = [
   'keepsPlaces',
 ] as const satisfies OfOneGeometry[];
 
-function unwrappedOf(part: ScenePart, page: number, geometry: BufferGeometry): UnwrappedMesh[] {
-  const { firstTriangle, triangleCount, worldScale, geometry: previous } = part;
+function unwrappedOf(part: ScenePart, page: number, made: BufferGeometry): UnwrappedMesh[] {
+  const { firstTriangle, triangleCount, worldScale, geometry: previous, geometryId } = part;
   return part.meshes.map((mesh) => ({
     mesh,
-    geometry,
+    ...(geometryId !== undefined && { geometryId }),
+    geometry: isBatched(mesh) ? likeBatched(mesh, made) : made,
     previous,
     page,
     firstTriangle,

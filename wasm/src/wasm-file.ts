@@ -1,10 +1,7 @@
 import type { ModuleName } from './base/builds.js';
 import { AbflatError } from './base/errors.js';
 
-/**
- * Bundlers find the files by exactly these expressions. Not in builds.ts, which the worker also
- * loads.
- */
+/** For Node. Bundlers find the files by exactly these expressions. */
 export function wasmFile(name: ModuleName): URL {
   if (!import.meta.url)
     throw new AbflatError(
@@ -12,8 +9,6 @@ export function wasmFile(name: ModuleName): URL {
       'A bundle that is not an ES module cannot find its files. Pass baseUrl to createAbflat.',
     );
   switch (name) {
-    case 'plain':
-      return new URL('./abflat.wasm', import.meta.url);
     case 'simd':
       return new URL('./abflat-simd.wasm', import.meta.url);
     case 'threads':

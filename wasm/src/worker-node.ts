@@ -2,7 +2,6 @@
 
 import { parentPort } from 'node:worker_threads';
 import { isModule } from './base/build-of.js';
-import { plain } from './glue-plain.js';
 import { simd } from './glue-simd.js';
 import { threads } from './glue-threads.js';
 import type { ToWorker } from './messages/protocol.js';
@@ -12,7 +11,7 @@ import { actAsWebWorker } from './web-worker-node.js';
 
 if (!parentPort) throw new Error('This file is the worker of abflat; import abflat instead.');
 const port = parentPort;
-const start = startsAny({ plain, simd, threads });
+const start = startsAny({ simd, threads });
 
 serve(
   {

@@ -1,9 +1,8 @@
 // Entry of the Web Worker that runs every module; `workerUrl` points to it.
 
-import { plain } from './glue-plain.js';
 import { simd } from './glue-simd.js';
 import { threads } from './glue-threads.js';
 import { serveWeb } from './serve-web.js';
 import { startsAny } from './start-any.js';
 
-serveWeb(startsAny({ plain, simd, threads }));
+serveWeb(startsAny({ simd, threads }));

@@ -8,7 +8,7 @@ const WORKER = 'sw.js';
 /** Copies, and what is there for people to read. */
 const NOT_OF_PAGE = /\.(br|gz|map|txt)$/;
 /** Each browser runs one of these; what bakes is the same for all. */
-const MODULE = /^assets\/abflat(?:-(simd|threads))?-[\w-]{8}\.wasm$/;
+const MODULE = /^assets\/abflat-(simd|threads)-[\w-]{8}\.wasm$/;
 
 const sha256 = (content) => createHash('sha256').update(content).digest('base64');
 
@@ -30,7 +30,7 @@ export function listBuild(folder, headers) {
   const modules = Object.fromEntries(
     all.flatMap((file) => {
       const match = MODULE.exec(file[0]);
-      return match ? [[match[1] ?? 'plain', file]] : [];
+      return match ? [[match[1], file]] : [];
     }),
   );
   const version = sha256(JSON.stringify([files, modules, headers]));

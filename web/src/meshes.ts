@@ -83,7 +83,7 @@ export class Meshes {
     this.source = source;
     this.tabs.show(source, keepsLast);
     if (source.kind === 'file') {
-      this.notice.show(source, gltf?.compressions ?? [], this.tabs.has(source));
+      this.notice.show(source, gltf?.remarks ?? [], this.tabs.has(source));
       this.welcome.done();
     } else this.notice.hide();
     if (this.views) void this.look.open(opened, this.views);

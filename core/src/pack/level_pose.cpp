@@ -17,6 +17,8 @@ constexpr double kDegree = kPi / 180, kQuarter = 90 * kDegree;
 constexpr double kAlikeBearing = 1e-9;
 /// Edges within that of a direction are straight along it.
 constexpr double kStraight = kDegree + kAlikeBearing;
+/// Fewer edges than this share make no direction.
+constexpr double kLeastOfOutline = 0.1;
 /// A shape that gains less height per length lies flat: the sine of 15 degrees.
 constexpr double kLeastSlope = 0.2588;
 
@@ -73,7 +75,6 @@ double middleOf(const std::vector<Bearing>& bearings, std::size_t from, std::siz
 
 /// The directions that many edges have, most first; of windows with as many, the narrowest.
 std::vector<Bearing> straightBearings(std::vector<Bearing> bearings) {
-  constexpr double kLeastShare = 0.1;
   std::vector<Bearing> out;
   while (!bearings.empty()) {
     double sum = 0, best = 0, narrowest = 0;
@@ -93,7 +94,7 @@ std::vector<Bearing> straightBearings(std::vector<Bearing> bearings) {
       }
       sum -= bearings[i].share;
     }
-    if (best < kLeastShare - kAlikeBearing) break;
+    if (best < kLeastOfOutline - kAlikeBearing) break;
     out.push_back({middleOf(bearings, from, to, best), best});
     std::vector<Bearing> others;
     for (std::size_t i = 0; i < bearings.size(); ++i)
@@ -103,14 +104,25 @@ std::vector<Bearing> straightBearings(std::vector<Bearing> bearings) {
   return out;
 }
 
+/// Whether these are the same direction modulo quarter turns, for the eye.
+bool isAlong(double angle, double direction) {
+  const double from = wrapped(angle - direction);
+  return std::min(from, kQuarter - from) <= kStraight;
+}
+
 /// Share of the edges along u and v, once the direction lies along u.
 double shareAlong(const std::vector<Bearing>& bearings, double direction) {
   double share = 0;
-  for (const Bearing& bearing : bearings) {
-    const double from = wrapped(bearing.angle - direction);
-    if (std::min(from, kQuarter - from) <= kStraight) share += bearing.share;
-  }
+  for (const Bearing& bearing : bearings)
+    if (isAlong(bearing.angle, direction)) share += bearing.share;
   return share;
+}
+
+/// Adds the direction of `up`, unless edges have it, which then lie exactly level and upright.
+void addUpright(const std::vector<Bearing>& bearings, double up, std::vector<Bearing>& directions) {
+  const auto isUpright = [&](const Bearing& each) { return isAlong(each.angle, up); };
+  if (std::none_of(directions.begin(), directions.end(), isUpright))
+    directions.push_back({up, shareAlong(bearings, up)});
 }
 
 /// What is compared in turn: differences that rounding could make do not count.
@@ -135,7 +147,8 @@ bool isBetter(const Candidate& a, const Candidate& b) {
 
 LevelPose levelPose(const Loops& loops, const std::vector<PlanePoint>& hull, PlanePoint up) {
   constexpr double kMost = 0.5;
-  constexpr double kUpWorth = 0.5;  // of standing upright, where the worth of level edges is 1
+  constexpr double kUpWorth = 0.5;    // of standing upright, where the worth of level edges is 1
+  constexpr double kAgreeing = 0.15;  // of edges that are level where the shape stands upright
   LevelPose out;
   const double slope = std::sqrt(up.x * up.x + up.y * up.y);
   out.isUpright = slope > kLeastSlope && std::isfinite(slope);
@@ -144,10 +157,8 @@ LevelPose levelPose(const Loops& loops, const std::vector<PlanePoint>& hull, Pla
   std::vector<Bearing> directions = straightBearings(bearings);
   if (hull.size() < 2 || (directions.empty() && !out.isUpright))
     return {leastBoxPose(hull), false, false, false};
-  if (out.isUpright) {
-    const double direction = wrapped(portable::atan2(up.y, up.x));
-    directions.push_back({direction, shareAlong(bearings, direction)});
-  }
+  const double upright = out.isUpright ? wrapped(portable::atan2(up.y, up.x)) : 0;
+  if (out.isUpright) addUpright(bearings, upright, directions);
   const PlanePoint mass = massOf(hull).center;
   std::optional<Candidate> best;
   for (const Bearing& direction : directions) {
@@ -155,13 +166,15 @@ LevelPose levelPose(const Loops& loops, const std::vector<PlanePoint>& hull, Pla
     Pose level;
     level.cos = by.cos;
     level.sin = -by.sin;
+    const bool agrees = out.isUpright && direction.share >= kLeastOfOutline - kAlikeBearing &&
+                        isAlong(direction.angle, upright);
     for (int quarter = 0; quarter < 4; ++quarter) {
       Candidate now;
       now.pose = turned(level, quarter, 4, hull);
       const PlanePoint center = now.pose.rotated(mass);
       now.center = {center.x - now.pose.minX - now.pose.width / 2,
                     center.y - now.pose.minY - now.pose.height / 2};
-      now.worth = direction.share + worth * now.pose.rotated(up).y;
+      now.worth = direction.share + worth * now.pose.rotated(up).y + (agrees ? kAgreeing : 0);
       if (best && !isBetter(now, *best)) continue;
       best = now;
       out.isLevel = direction.share > 0;

@@ -7,8 +7,12 @@ namespace abflat::cli {
 
 ObjBaker::ObjBaker(OldObj& old, const PolygonMesh& mesh, const NewLayout& layout,
                    const std::vector<std::uint32_t>& triangleCorners,
-                   const BakeOptionValues& options)
-    : old_(old), layout_(layout), options_(options), corners_(mesh, layout, triangleCorners) {}
+                   const BakeOptionValues& options, const std::vector<double>& colours)
+    : old_(old),
+      layout_(layout),
+      options_(options),
+      corners_(mesh, layout, triangleCorners),
+      colours_(colours) {}
 
 AtlasSize ObjBaker::sizeOf(const ObjPlan& plan) const {
   const bool isAuto = options_.bakeResolution == kAutoBakeResolution;
@@ -53,6 +57,7 @@ Result<images::Image> ObjBaker::bake(const ObjPlan& plan, const AtlasSize& size,
   BakeInput input = inputOf(plan);
   if (Status s = addPixels(plan, input); !s.ok()) return s;
   if (plan.kind == MapKind::Normal) corners_.addFrames(input.triangles);
+  if (plan.hasVertexColours) input.triangles.colours = corners_.colours(colours_);
   BakeOptions options;
   options.kind = plan.kind;
   options.width = static_cast<std::uint32_t>(size.width);

@@ -10,12 +10,13 @@
 
 namespace abflat::cli {
 
-/// Makes new images from those of an OBJ.
+/// Makes new images from those of an OBJ, and from colours of vertices.
 class ObjBaker {
  public:
-  /// As for makeGltf; the mesh has turned faces already.
+  /// As for makeGltf; the mesh has turned faces already. `colours` are those of an Appearance.
   ObjBaker(OldObj& old, const PolygonMesh& mesh, const NewLayout& layout,
-           const std::vector<std::uint32_t>& triangleCorners, const BakeOptionValues& options);
+           const std::vector<std::uint32_t>& triangleCorners, const BakeOptionValues& options,
+           const std::vector<double>& colours);
 
   AtlasSize sizeOf(const ObjPlan& plan) const;
   Result<images::Image> bake(const ObjPlan& plan, const AtlasSize& size, int bits);
@@ -31,6 +32,7 @@ class ObjBaker {
   const NewLayout& layout_;
   const BakeOptionValues& options_;
   const ObjCorners corners_;
+  const std::vector<double>& colours_;
 };
 
 /// JPEG holds colours and greys alone; then `notes` says so.

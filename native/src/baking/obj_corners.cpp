@@ -62,6 +62,15 @@ BakeTriangles ObjCorners::triangles() const {
   return out;
 }
 
+std::vector<float> ObjCorners::colours(const std::vector<double>& ofVertices) const {
+  std::vector<float> out;
+  out.reserve(4 * corners_.size());
+  for (const std::uint32_t c : corners_)
+    for (std::size_t d = 0; d < 4; ++d)
+      out.push_back(static_cast<float>(ofVertices[4 * std::size_t{mesh_.faceVertices[c]} + d]));
+  return out;
+}
+
 void ObjCorners::addFrames(BakeTriangles& triangles) const {
   const ShadedVertices vertices(mesh_, corners_);
   std::vector<bool> isTurnedFace(mesh_.faceCount()), isTurned;

@@ -20,6 +20,8 @@ class ObjCorners {
 
   /// Both layouts and materials.
   BakeTriangles triangles() const;
+  /// 4 numbers per corner, from as many per vertex.
+  std::vector<float> colours(const std::vector<double>& ofVertices) const;
   /// What a normal map needs besides; its old texcoords count.
   void addFrames(BakeTriangles& triangles) const;
 

@@ -28,6 +28,7 @@ struct ObjPlan {
   ColourSpace space = ColourSpace::Linear;
   int channels = 3, bits = 8;
   std::vector<std::optional<ObjUse>> uses;  ///< by material
+  bool hasVertexColours = false;            ///< they multiply it
 };
 
 struct ObjPlans {

@@ -185,12 +185,15 @@ class MeshRun {
   Status readObjToBake() {
     if constexpr (Job::kBakes) {
       const std::string name = inputName(command_.input);
-      if (input_.format != FileFormat::Obj)
+      if (input_.format == FileFormat::Ply && writtenFormat(command_.output) != FileFormat::Gltf)
         return {StatusCode::InvalidOption,
-                name + " is " + titleOf(input_.format) + ". Only a glTF or an OBJ can be baked"};
+                name + " is PLY. The colours of its vertices are baked into a .glb or .gltf alone"};
+      if (input_.format != FileFormat::Obj && input_.format != FileFormat::Ply)
+        return {StatusCode::InvalidOption, name + " is " + titleOf(input_.format) +
+                                               ". Only a glTF, an OBJ or a PLY can be baked"};
       if (!Job::kMakesLayout)
         return {StatusCode::InvalidOption,
-                name + " is an OBJ, which has one layout. Use unwrap --bake or pack --bake"};
+                name + " has only one layout. Use unwrap --bake or pack --bake"};
       obj_.emplace(command_.output, *Job::baking(command_), otherPaths());
       if (Status s = obj_->read(input_); !s.ok()) return s;
       const std::string lead = name + ": ";

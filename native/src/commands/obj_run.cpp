@@ -37,8 +37,10 @@ Status ObjRun::read(const InputFile& input) {
     used.push_back((folder / name).string());
     return input.readResource(name);
   };
-  Result<OldObj> old = orOutOfMemory(
-      inputName(input.path), [&] { return readOldObj(input.bytes, input.mesh, readResource); });
+  Result<OldObj> old = orOutOfMemory(inputName(input.path), [&]() -> Result<OldObj> {
+    if (input.format != FileFormat::Obj) return OldObj();
+    return readOldObj(input.bytes, input.mesh, readResource);
+  });
   if (!old.ok()) return old.status();
   old_ = std::move(old).value();
   return isBeside() ? beside_.check(names(), used) : Status{};
@@ -47,15 +49,17 @@ Status ObjRun::read(const InputFile& input) {
 Status ObjRun::bake(InputFile& input, const NewLayout& layout,
                     const std::vector<std::uint32_t>& triangleCorners) {
   const auto start = std::chrono::steady_clock::now();
-  ObjBaker baker(*old_, input.mesh, layout, triangleCorners, options_);
+  ObjBaker baker(*old_, input.mesh, layout, triangleCorners, options_, input.look.colors);
   Status status = isGltf_ ? bakeMadeGltf(*old_, baker, options_.imageFormat, input.look,
                                          new_.report, new_.notes)
                           : bakeBeside(baker);
   new_.report.materials = old_->maps.materials.size();
   new_.report.images = old_->images.count();
   noteDepth();
-  if (isEmpty())
-    new_.notes.emplace_back("nothing was baked: no material of the mesh has a texture");
+  if (isEmpty() && new_.report.maps.empty())
+    new_.notes.emplace_back(isGltf_ ? "nothing was baked: no material of the mesh has a texture, "
+                                      "and no vertex has a colour"
+                                    : "nothing was baked: no material of the mesh has a texture");
   new_.report.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return status;

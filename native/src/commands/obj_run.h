@@ -10,7 +10,8 @@
 
 namespace abflat::cli {
 
-/// Bakes an OBJ: into files beside the new one, or into a glTF that is made from it.
+/// Bakes an OBJ: into files beside the new one, or into a glTF that is made from it. The colours of
+/// the vertices of a PLY, which has nothing else, go into such a glTF, too.
 class ObjRun {
  public:
   /// `others` are paths that the command writes besides, or reads.

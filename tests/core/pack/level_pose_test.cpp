@@ -104,6 +104,33 @@ TEST_CASE("straight sides count more than crooked ones, and than what they lean 
   }
 }
 
+/// A standing A: its legs are its longest edges, 15 degrees off upright.
+Outline letterA() {
+  return {{0, 0}, {0.3, 0}, {0.45, 0.4}, {1.05, 0.4}, {1.2, 0}, {1.5, 0}, {0.95, 2}, {0.55, 2}};
+}
+
+TEST_CASE("what has level edges where it stands upright stands, though others are longer",
+          "[pack]") {
+  for (double angle = 0.01; angle < 7; angle += 0.37) {
+    const PlanePoint up = turnedBy(angle, {0, 1});
+    const LevelPose level = levelOf(turnedBy(angle, letterA()), up);
+    CHECK(level.pose.rotated(up).y == Approx(1).epsilon(1e-9));
+    CHECK(level.isLevel);
+  }
+}
+
+TEST_CASE("straight sides are exactly upright where up is off by less than the eye sees",
+          "[pack]") {
+  std::mt19937 random(7);
+  for (double angle = 0.01; angle < 7; angle += 0.37)
+    for (const double lean : {-0.016, 0.012}) {
+      const Outline strip = turnedBy(angle, box(1, 4, 5, random));
+      const LevelPose level = levelOf(strip, turnedBy(angle + lean, {0, 1}));
+      CHECK(skewness(strip, level.pose) < 1e-6);
+      CHECK(level.pose.rotated(turnedBy(angle, {0, 1})).y == Approx(1).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("a disc has no direction of its own", "[pack]") {
   for (double angle = 0.01; angle < 3; angle += 0.37) {
     const Outline outline = turnedBy(angle, disc(200));

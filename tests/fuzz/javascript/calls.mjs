@@ -87,10 +87,10 @@ function documentCall(random, without) {
 }
 
 const SETTINGS = {
-  build: (random) => random.pick(['plain', 'simd', 'threads']),
+  build: (random) => random.pick(['simd', 'threads', 'plain']),
   maxMemory: (random) => random.pick([0, 2 ** 24 - 1, 2 ** 24, 2 ** 25 + 0.5, 2 ** 32, 2 ** 33]),
   baseUrl: () => '/nowhere/dist',
-  wasmUrl: () => '/nowhere/abflat.wasm',
+  wasmUrl: () => '/nowhere/abflat-simd.wasm',
   workerUrl: () => 'worker.js',
 };
 

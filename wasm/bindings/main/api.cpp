@@ -134,10 +134,8 @@ EMSCRIPTEN_KEEPALIVE std::size_t abflatMethodUvSize(const Job* job, int method) 
 EMSCRIPTEN_KEEPALIVE const char* abflatBuild() {
 #if ABFLAT_THREADS
   return "threads";
-#elif defined(__wasm_simd128__)
-  return "simd";
 #else
-  return "plain";
+  return "simd";
 #endif
 }
 

@@ -1,6 +1,6 @@
 // Generated from core/schema by scripts/generate.mjs, do not edit.
 
-/** In the order of the C++ enum: index = number of the code. */
+/** Those of the module, in the order of the C++ enum (index = number of the code), then the package's own. */
 export const STATUS_NAMES = [
   'Ok',
   'InvalidOption',
@@ -22,7 +22,10 @@ export const STATUS_NAMES = [
   'Internal',
   'AtlasTooSmall',
   'NoTexcoords',
+  'UnsupportedHost',
 ] as const;
+
+export const MODULE_STATUS_COUNT = 20;
 
 export type StatusName = (typeof STATUS_NAMES)[number];
 
@@ -48,6 +51,7 @@ export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; read
   Internal: { exit: 4, text: 'a bug in abflat; please report it with the mesh' },
   AtlasTooSmall: { exit: 4, text: 'the charts do not fit the atlas; the message names a resolution or texel density at which they fit' },
   NoTexcoords: { exit: 4, text: 'no face of the mesh has texcoords, so it has no layout to pack' },
+  UnsupportedHost: { exit: 4, text: 'WebAssembly or its 128-bit vectors (SIMD) are missing, as in browsers before Chrome 91, Firefox 89 and Safari 16.4, or may not be used here' },
 };
 
 export type Untangle = 'auto' | 'none' | 'local' | 'global' | 'best';

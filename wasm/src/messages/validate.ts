@@ -1,6 +1,6 @@
 // Checks what callers pass as options.
 
-import { BUILDS } from '../base/builds.js';
+import type { Build } from '../base/builds.js';
 import { AbflatError } from '../base/errors.js';
 import {
   FLATTEN_DEFAULTS,
@@ -174,9 +174,10 @@ export function checkMaxMemory(value: unknown): void {
   checkNumber('maxMemory', value, { range, atLeast: MIN_MEMORY, atMost: MAX_MEMORY });
 }
 
-export function checkBuild(value: unknown): void {
-  if (value === undefined || BUILDS.some((build) => build === value)) return;
-  throw invalid(`build must be one of ${BUILDS.join(', ')}, not ${shown(value)}.`);
+/** `builds`: those that there are here. */
+export function checkBuild(value: unknown, builds: readonly Build[]): void {
+  if (value === undefined || builds.some((build) => build === value)) return;
+  throw invalid(`build must be one of ${builds.join(', ')}, not ${shown(value)}.`);
 }
 
 interface OptionRule extends NumberRule {

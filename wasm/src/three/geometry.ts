@@ -102,7 +102,7 @@ function isOfInstances(attribute: Attribute): boolean {
 const alike = (attribute: Attribute) => ('data' in attribute ? attribute : attribute.clone());
 
 /** Copies the given rows of an attribute, as they are stored. */
-function pick(attribute: Attribute, rows: Uint32Array): BufferAttribute {
+export function pick(attribute: Attribute, rows: Uint32Array): BufferAttribute {
   const { itemSize, normalized } = attribute;
   const isInterleaved = 'data' in attribute;
   const picked = isInterleaved

@@ -1,9 +1,9 @@
 // Which meshes of a scene are drawn, and where.
 
 import { type BufferGeometry, type InstancedMesh, Matrix4, type Mesh, type Object3D } from 'three';
-import { AbflatError } from '../base/errors.js';
 import { type Matrix, type Usage, usedAt } from '../base/placement.js';
 import { type Weights, weightOf } from '../messages/weights.js';
+import { batchedOf, isBatched } from './batched.js';
 
 /** A geometry as it is laid out, and the meshes that get the layout. */
 export interface Subject {
@@ -12,6 +12,8 @@ export interface Subject {
   usage: Usage;
   /** The texel density wanted for it, relative to that of others. */
   weight: number;
+  /** Of a BatchedMesh: which of its geometries this is. */
+  geometryId?: number;
 }
 
 /** For messages. */
@@ -31,13 +33,16 @@ export function subjectsBelow(
     const mesh = child as Mesh;
     const weight = weightOf(mesh, weights, () => nameOf(mesh));
     if (weight === 0) return;
-    refuseBatched(mesh);
+    if (isBatched(mesh)) {
+      for (const { geometryId, geometry, places } of batchedOf(mesh)) {
+        const usage = usageOf(places) as Usage;
+        subjects.set(geometry, { meshes: [mesh], geometry, usage, weight, geometryId });
+      }
+      return;
+    }
     const key = ownTexels ? mesh : mesh.geometry;
     const known = subjects.get(key);
-    const usage = placesOf(mesh).reduce(
-      (before: Usage | undefined, matrix) => usedAt(matrix, before),
-      known?.usage,
-    );
+    const usage = usageOf(placesOf(mesh), known?.usage);
     if (!usage) return; // no instance
     subjects.set(key, {
       meshes: [...(known?.meshes ?? []), mesh],
@@ -49,15 +54,9 @@ export function subjectsBelow(
   return [...subjects.values()];
 }
 
-/** Its geometries are parts of one, in ranges that have no room for the vertices that seams add. */
-function refuseBatched(mesh: Mesh): void {
-  if (!('isBatchedMesh' in mesh)) return;
-  throw new AbflatError(
-    'InvalidMesh',
-    `${nameOf(mesh)} is a BatchedMesh, whose geometries have no room for the vertices that seams add. ` +
-      'Unwrap them before they are added to it, and give it the weight 0 here.',
-  );
-}
+/** Undefined if there are no places. */
+const usageOf = (places: (Matrix | undefined)[], known?: Usage) =>
+  places.reduce((before: Usage | undefined, matrix) => usedAt(matrix, before), known);
 
 /** Undefined stands for a place where vertices stay as they are, as bones move those of a skin. */
 function placesOf(mesh: Mesh): (Matrix | undefined)[] {
@@ -82,7 +81,7 @@ export function sharingNotes(subjects: readonly Subject[], ownTexels: boolean): 
     ? '. Their scales differ, so each layout is sized for the largest'
     : '';
   const advice = ownTexels
-    ? '. An InstancedMesh has one geometry, so only separate meshes can have texels of their own'
+    ? '. Instances share the geometry of their mesh, so only separate meshes can have texels of their own'
     : '. With the option ownTexels each mesh gets texels of its own';
   return [`${places} ${what} share ${of} texels${scales}${advice}`];
 }

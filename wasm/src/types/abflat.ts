@@ -67,6 +67,9 @@ type Returning<Method> = Method extends (...given: infer Arguments) => Promise<i
  */
 export type AbflatSync = { [Name in keyof Abflat]: Returning<Abflat[Name]> };
 
+/** The calls of the module that `abflat/single` has inside. */
+export type AbflatSingle = Omit<AbflatSync, 'pack' | 'bake'>;
+
 /** What runs a call, whether it returns a result or a promise of one. */
 export type AnyAbflat<Method extends keyof Abflat> = {
   [Name in Method]: Abflat[Name] | AbflatSync[Name];

@@ -25,8 +25,8 @@ export interface ModuleOptions {
    */
   baseUrl?: string | UrlLike;
   /**
-   * Location of abflat.wasm, or of another build's file, if it is not beside the module, in Node also
-   * a path; or the module itself.
+   * Location of abflat-simd.wasm or abflat-threads.wasm, if it is not beside the scripts, in Node
+   * also a path; or the module itself.
    */
   wasmUrl?: ModuleSource;
   /** The same for abflat-pack.wasm, which `pack` needs. */

@@ -38,11 +38,11 @@ export class Notice {
     this.timer = setTimeout(() => this.hide(), STAYS.least + letters * STAYS.perLetter);
   }
 
-  /** `compressions`: how the file's triangles were compressed. `isTab`: those that were chosen with it are open, too. */
-  show(opened: FileSource, compressions: string[], isTab: boolean): void {
+  /** `remarks`: on how it was read. `isTab`: those that were chosen with it are open, too. */
+  show(opened: FileSource, remarks: string[], isTab: boolean): void {
     const together = isTab ? [] : opened.together;
     this.hide();
-    this.sentences = [...compressed(opened, compressions), ...oneOfMany(opened, together)];
+    this.sentences = [...remarks, ...oneOfMany(opened, together)];
     if (this.sentences.length === 0) return;
     const text = create('p', '', this.sentences.join(' '));
     this.fill(text, ...this.choices(together));
@@ -111,11 +111,6 @@ export class Notice {
     });
     return button;
   }
-}
-
-function compressed({ name }: FileSource, compressions: string[]): string[] {
-  if (compressions.length === 0) return [];
-  return [OPENED_NOTICE.compressed(name, compressions)];
 }
 
 function oneOfMany({ name }: FileSource, together: FileSource[]): string[] {

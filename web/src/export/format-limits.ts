@@ -23,9 +23,12 @@ export function limitOf(
   baked: ExportFormat[] = [],
 ): string {
   const { name } = source;
-  if (!meshFileOf(name)?.exported || exportFormatOf(name) === format) return '';
-  const holds = gltf?.holds ?? [];
-  if (baked.includes(format)) return LIMITS.loses(holds.filter((each) => each !== 'materials'));
+  const { lost = [], holds = [] } = gltf ?? {};
+  if (!meshFileOf(name)?.exported) return '';
+  if (exportFormatOf(name) === format) return LIMITS.loses(lost);
+  // No other format has a place for what else is lost.
+  const all = [...lost.filter((each) => each === 'polygons'), ...holds];
+  if (baked.includes(format)) return LIMITS.loses(all.filter((each) => each !== 'materials'));
   if (baked.length > 0) return LIMITS.notBaked;
-  return LIMITS.loses(holds) || LIMITS.shapeOnly;
+  return LIMITS.loses(all) || LIMITS.shapeOnly;
 }

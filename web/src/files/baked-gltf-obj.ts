@@ -11,6 +11,7 @@ import { BAKED_OBJ } from '../words/baked-obj';
 import type { BakedGltf } from './baked-gltf';
 import { gltfIo, openGltf } from './gltf-source';
 import { greyOf } from './image-channels';
+import { decodeKtx2 } from './ktx2';
 
 type Layout = Pick<LayoutArrays, 'uv' | 'indices'>;
 
@@ -27,7 +28,7 @@ export async function bakeGltfAsObj(
   const mesh = documentMesh(await gltfIo().readJSON(source));
   const names = mesh.parts.map(({ primitive }) => primitive.getMaterial()?.getName() ?? '');
   const olds = mesh.parts.map(({ primitive }) => primitive.getMaterial());
-  const options = { ...atlas, bakeResolution: side, onProgress };
+  const options = { ...atlas, bakeResolution: side, onProgress, decode: decodeKtx2 };
   const { baked, notes } = await bakeLayout(abflat, mesh, layout, options);
   const looks = new Map<Material | null, MtlLook>();
   mesh.parts.forEach(({ primitive }, i) => {

@@ -5,6 +5,7 @@ import { bakeLayout, documentMesh } from 'abflat/gltf';
 import type { BakeSettings } from '../model/bake-settings';
 import type { GltfFiles, LayoutArrays } from '../model/model';
 import { glbOf, gltfIo, openGltf } from './gltf-source';
+import { decodeKtx2 } from './ktx2';
 
 export interface BakedGltf {
   /** A GLB. */
@@ -23,7 +24,7 @@ export async function bakeGltf(
 ): Promise<BakedGltf> {
   const { source } = await openGltf(file, others);
   const document = await gltfIo().readJSON(source);
-  const options = { ...atlas, bakeResolution: side, onProgress };
+  const options = { ...atlas, bakeResolution: side, onProgress, decode: decodeKtx2 };
   const { baked, notes } = await bakeLayout(abflat, documentMesh(document), layout, options);
   return {
     file: new Blob([await glbOf(document)], { type: 'model/gltf-binary' }),

@@ -34,7 +34,7 @@ async function loadMeshopt(): Promise<unknown> {
   return MeshoptDecoder;
 }
 
-async function fetched(url: string): Promise<ArrayBuffer> {
+export async function fetched(url: string): Promise<ArrayBuffer> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${response.url}: ${response.status}`);
   return response.arrayBuffer();

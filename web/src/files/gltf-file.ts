@@ -2,6 +2,8 @@
 
 import type { Document, Material, Primitive } from '@gltf-transform/core';
 import { documentMesh, freeTexcoord, sampledTexcoords, setTexcoords } from 'abflat/gltf';
+import { loadInWorker } from '../base/load-part';
+import { isFbx } from '../base/mesh-files';
 import type { ChosenGltf, GltfFile, GltfFiles, LayoutArrays } from '../model/model';
 import { GLTF } from '../words/gltf';
 import { compressionsOf, decompressed } from './compression';
@@ -9,14 +11,16 @@ import { contentsOf } from './gltf-contents';
 import { namedParts } from './gltf-parts';
 import { glbOf, gltfIo, openGltf } from './gltf-source';
 
-/** Null for a compressed file, which `readCompressed` reads. */
+/** Null for a compressed file and for an FBX, which `readLong` reads. */
 export function readGltf(chosen: ChosenGltf): Promise<GltfFile | null> {
-  return orDamaged(chosen.file.name, () => readPlain(chosen));
+  const { name } = chosen.file;
+  return orDamaged(name, async () => (isFbx(name) ? null : readPlain(chosen)));
 }
 
-/** The copy it keeps is an uncompressed GLB, so that nothing is decoded twice. */
-export function readCompressed(chosen: ChosenGltf): Promise<GltfFile> {
-  return orDamaged(chosen.file.name, () => decode(chosen));
+/** What may take forever to decode. The copy it keeps is an uncompressed GLB, so that nothing is decoded twice. */
+export function readLong(chosen: ChosenGltf): Promise<GltfFile> {
+  const { name } = chosen.file;
+  return orDamaged(name, () => (isFbx(name) ? fromFbx : decode)(chosen));
 }
 
 /** Problems that glTF-Transform does not check for end in plain JavaScript errors. */
@@ -45,6 +49,18 @@ async function decode({ file, others, texcoord }: ChosenGltf): Promise<GltfFile>
     ...contentOf(name, document, texcoord),
     files: { file: fileOf(name, await glbOf(document)), others: [] },
     compressions: compressionsOf(source),
+    remarks: [GLTF.compressed(name, compressionsOf(source))],
+  };
+}
+
+async function fromFbx({ file, others, texcoord }: ChosenGltf): Promise<GltfFile> {
+  const { readFbx } = await loadInWorker(import('./fbx-file'));
+  const { document, lost, remarks } = await readFbx(file, others);
+  return {
+    ...contentOf(file.name, document, texcoord),
+    files: { file: fileOf(file.name, await glbOf(document)), others: [] },
+    lost,
+    remarks,
   };
 }
 
@@ -79,7 +95,9 @@ function contentOf(name: string, document: Document, texcoord: number): Omit<Glt
     isPainted: primitives.some(
       (each) => hasMaps(each.getMaterial()) || each.getAttribute('COLOR_0') !== null,
     ),
+    lost: [],
     compressions: [],
+    remarks: [],
   };
 }
 

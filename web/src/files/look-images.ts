@@ -1,3 +1,5 @@
+import { NOT_LOADED } from '../base/lost';
+import { KTX2, ktx2Pixels } from './ktx2';
 import type { StoredImage } from './stored-look';
 
 export interface DecodedImages {
@@ -46,10 +48,17 @@ const powerOfTwo = (sizes: number[]) => 2 ** Math.ceil(Math.log2(Math.max(1, ...
 
 async function decoded(bytes: Blob): Promise<ImageBitmap | null> {
   try {
-    return await createImageBitmap(bytes, PLAIN);
-  } catch {
+    return await createImageBitmap(bytes.type === KTX2 ? await imageOf(bytes) : bytes, PLAIN);
+  } catch (error) {
+    // What decodes is needed by other images, too.
+    if (error instanceof Error && error.name === NOT_LOADED) throw error;
     return null;
   }
+}
+
+async function imageOf(ktx2: Blob): Promise<ImageData> {
+  const { data, width, height } = await ktx2Pixels(new Uint8Array(await ktx2.arrayBuffer()));
+  return new ImageData(new Uint8ClampedArray(data.buffer), width, height);
 }
 
 /** In place of the image, which is freed. */

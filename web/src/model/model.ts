@@ -56,6 +56,16 @@ export interface ChosenGltf extends GltfFiles {
 /** What a glTF has besides its shape and its texcoords. */
 export type GltfContent = 'materials' | 'skins' | 'morphTargets' | 'animations' | 'names';
 
+/** What an FBX may have that becomes no part of a glTF. */
+export type FbxContent =
+  | 'polygons'
+  | 'maps'
+  | 'skins'
+  | 'morphAnimations'
+  | 'cameras'
+  | 'lights'
+  | 'curves';
+
 export interface GltfFile {
   mesh: ArrayMesh;
   /** The first texcoord set that no texture depends on: 0 if no texture uses that set. */
@@ -70,11 +80,15 @@ export interface GltfFile {
   parts: NamedParts;
   /** What it has that other formats would lose. */
   holds: GltfContent[];
+  /** What was left out when it was read; only of an FBX. */
+  lost: FbxContent[];
   files: GltfFiles;
   /** What to know about how it was read, one sentence each. */
   notes: string[];
   /** How its triangles were compressed, for display. */
   compressions: string[];
+  /** What to say when it is opened, as sentences. */
+  remarks: string[];
 }
 
 export interface Opened {

@@ -1,4 +1,5 @@
 import type { Abflat } from 'abflat';
+import { isFbx } from '../base/mesh-files';
 import type { NamedMesh } from '../files/joined-obj';
 import type { DisplayMesh } from '../mesh/mesh';
 import { type FileSource, type GltfFiles, isGltf } from '../model/model';
@@ -31,10 +32,18 @@ export async function oneFile(
 async function oneGlb(sources: FileSource[], joiners: Joiners, signal: AbortSignal): Promise<Blob> {
   const files: GltfFiles[] = [];
   for (const source of sources) {
-    const { file, others } = source;
-    files.push(isGltf(source) ? { file, others } : await shapeOf(source, joiners, signal));
+    files.push(await (isGltf(source) ? filesOf : shapeOf)(source, joiners, signal));
   }
   return inOwnWorker('joiner', (tasks) => tasks.joinedGlb(files), signal);
+}
+
+async function filesOf(
+  source: FileSource,
+  { workshop }: Joiners,
+  signal: AbortSignal,
+): Promise<GltfFiles> {
+  const { name, file, others } = source;
+  return isFbx(name) ? (await workshop.gltf(source, signal)).files : { file, others };
 }
 
 async function shapeOf(

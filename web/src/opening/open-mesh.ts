@@ -1,6 +1,6 @@
 import { element, isTyping } from '../base/dom';
+import { OPENED_FILES } from '../base/mesh-files';
 import type { FileSource, Source } from '../model/model';
-import { MESH_FILES } from '../words/generated-formats';
 import { JOINING, UNPACKING } from '../words/opening';
 import { placeOf } from './address';
 import { areImages, isZip, noMesh, sourcesOf } from './chosen-files';
@@ -93,7 +93,7 @@ type OpenFiles = (files: File[]) => void;
 function bindDialog(openFiles: OpenFiles): void {
   const input = element('file', HTMLInputElement);
   // Beside what may come with a mesh.
-  input.accept = [...MESH_FILES.map(({ ending }) => ending), input.accept].join();
+  input.accept = [...OPENED_FILES.map(({ ending }) => ending), input.accept].join();
   element('open', HTMLButtonElement).addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
     openFiles([...(input.files ?? [])]);

@@ -57,7 +57,7 @@ export function facesText({ indices }: DisplayMesh, { faces }: MeshSummary): str
 }
 
 /** Files of programs that can export glTF. */
-const SCENE = /\.(fbx|blend|dae|3ds|max|m[ab]|c4d|lwo|abc|usd[acz]?)$/i;
+const SCENE = /\.(blend|dae|3ds|max|m[ab]|c4d|lwo|abc|usd[acz]?)$/i;
 
 /** What to do with a file in a format that is not read. */
 export const notSupported = (name: string): string =>

@@ -88,7 +88,8 @@ export const RESHAPING = {
       ? `Island ${chart} stays as it is: ${why}`
       : `${count(others.length + 1)} islands stay as they are, such as island ${chart}: ${why}`,
   mirrored: 'it is mirrored',
-  stacked: 'it lies on another island or on itself, to share texels',
+  stacked:
+    'it lies on another island or on itself. Repack moves islands apart that are not stacked on purpose',
   noRectangle: 'its outline is not nearly a rectangle',
   touches: 'its outline touches itself',
 };

@@ -21,6 +21,8 @@ export const GLTF = {
     `${name} is damaged or too large to read (${reason}). Export or download it again.`,
   undecodable: (name: string, compressions: string[], reason: string) =>
     `${name} is damaged: its ${compressions.join(' and ')} data cannot be decoded (${reason}). Export or download it again.`,
+  compressed: (name: string, compressions: string[]) =>
+    `${name} was compressed with ${compressions.join(' and ')}. The export is uncompressed.`,
   attributeMissing: 'an attribute is missing',
   senselessView: (view: number) => `buffer view ${view} is invalid`,
   tooLarge: 'Its coordinates are too large for GLB. Scale the mesh down, or choose OBJ',

@@ -6,6 +6,13 @@ const NAMES: Record<string, string> = {
   skins: 'skins',
   morphTargets: 'morph targets',
   animations: 'animations',
+  // Of an FBX.
+  polygons: 'polygons',
+  maps: 'some textures',
+  morphAnimations: 'animations of morph targets',
+  cameras: 'cameras',
+  lights: 'lights',
+  curves: 'curves',
 };
 
 export const LIMITS = {

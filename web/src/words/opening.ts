@@ -3,7 +3,7 @@
 import { counted, ended } from './format';
 import { MESH_NAMES } from './generated-formats';
 
-const MESHES = `${MESH_NAMES.slice(0, -1).join(', ')} or ${MESH_NAMES.at(-1)}`;
+const MESHES = `${MESH_NAMES.join(', ')} or FBX`;
 
 /** Choosing or dropping files. */
 export const CHOSEN_FILES = {
@@ -76,8 +76,6 @@ export const OPENED_NOTICE = {
       ? `In one atlas, ${name} keeps its shape only.`
       : `In one atlas, ${counted(others.length + 1, 'file')} that are no glTF keep their shapes only.`,
   aboutOneObj: 'All as one OBJ of shapes, in one layout',
-  compressed: (name: string, compressions: string[]) =>
-    `${name} was compressed with ${compressions.join(' and ')}. The export is uncompressed.`,
   oneOfMany: (name: string, meshes: number) => `You chose ${meshes} meshes. ${name} is open.`,
 };
 

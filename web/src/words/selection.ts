@@ -68,8 +68,8 @@ export const PACKING = {
   tiles: {
     one: 'One',
     file: 'As they are',
-    object: 'One per object',
-    material: 'One per material',
+    object: 'Per object',
+    material: 'Per material',
   },
   aboutTiles:
     'The UDIM tiles that islands are packed in: one, those that they are in, or one for each object or material',

@@ -187,8 +187,8 @@ const tasks = {
     return read && transfer(read, buffersOf(read.mesh));
   },
 
-  compressed: async (chosen: ChosenGltf) => {
-    const read = await (await gltfFile()).readCompressed(chosen);
+  longGltf: async (chosen: ChosenGltf) => {
+    const read = await (await gltfFile()).readLong(chosen);
     return transfer(read, buffersOf(read.mesh));
   },
 

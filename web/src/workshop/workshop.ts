@@ -251,7 +251,7 @@ export class Workshop implements Helpers {
   async gltf({ file, others, texcoord = 0 }: FileSource, signal: AbortSignal): Promise<GltfFile> {
     const chosen = { file, others, texcoord };
     const read = await this.send([], (tasks) => tasks.gltf(chosen));
-    return read ?? inOwnWorker('decoder', (tasks) => tasks.compressed(chosen), signal);
+    return read ?? inOwnWorker('decoder', (tasks) => tasks.longGltf(chosen), signal);
   }
 
   /**

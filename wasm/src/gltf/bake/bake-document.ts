@@ -7,7 +7,7 @@ import type { AnyAbflat, BakeOptions, Layout } from '../../types/index.js';
 import type { DocumentPart } from '../document-mesh.js';
 import { keptTexcoords } from '../texture-sets.js';
 import { bakeAtlas, type NewLook } from './bake-atlas.js';
-import { type DecodeImage, type EncodeImage, usualDecode, usualEncode } from './codecs.js';
+import { type DecodeImage, type EncodeImage, usualEncode } from './codecs.js';
 import { atlasCorners } from './corners.js';
 import { OldImages } from './old-images.js';
 import { type BakedTexture, putLook } from './put-look.js';
@@ -30,8 +30,8 @@ export interface BakeDocumentOptions {
    */
   bakeResolution?: BakeOptions['bakeResolution'];
   /**
-   * Turns an image file into pixels of 8 bits, with colours that are not multiplied by alpha. By
-   * default browsers do it; Node has nothing that could.
+   * Turns an image file into pixels of 8 bits, with colours that are not multiplied by alpha, or
+   * returns null to leave it to the default: browsers do it; Node has nothing that could.
    */
   decode?: DecodeImage;
   /** Turns a new image into a file. Default: a PNG. */
@@ -52,7 +52,7 @@ export async function bakeDocument(
   atlases: readonly LaidAtlas[],
   settings: Settings,
 ): Promise<PutLook[]> {
-  const { bakeResolution = 'auto', decode = usualDecode, encode = usualEncode } = settings;
+  const { bakeResolution = 'auto', decode, encode = usualEncode } = settings;
   const { signal, onProgress } = settings;
   const oldImages = new OldImages(decode);
   const looks: PutLook[] = [];

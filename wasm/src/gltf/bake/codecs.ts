@@ -7,13 +7,14 @@ import { encodePng } from './encode-png.js';
 import type { ImageFile } from './image-file.js';
 import type { MapName } from './material-look.js';
 
-export type DecodeImage = (file: ImageFile) => BakeImage | PromiseLike<BakeImage>;
+/** Null for an image that is to be read as by default. */
+export type DecodeImage = (file: ImageFile) => BakeImage | null | PromiseLike<BakeImage | null>;
 export type EncodeImage = (image: BakedImage, map: MapName) => ImageFile | PromiseLike<ImageFile>;
 
 const canDecode = () =>
   typeof createImageBitmap === 'function' && typeof OffscreenCanvas === 'function';
 
-export const usualDecode: DecodeImage = (file) => {
+export const usualDecode = (file: ImageFile): Promise<BakeImage> => {
   if (canDecode()) return decodeInBrowser(file);
   throw new AbflatError(
     'InvalidOption',

@@ -4,14 +4,15 @@ import type { Texture } from '@gltf-transform/core';
 import { AbflatError, messageOf } from '../../base/errors.js';
 import type { BakeImage } from '../../types/index.js';
 import { type DecodeImage, usualDecode } from './codecs.js';
+import type { ImageFile } from './image-file.js';
 
 export class OldImages {
-  readonly #decode: DecodeImage;
+  readonly #decode: DecodeImage | undefined;
   readonly #whole = new Map<Texture, Promise<BakeImage>>();
   readonly #faded = new Map<Texture, Map<number, BakeImage>>();
   readonly #deep = new Set<Texture>();
 
-  constructor(decode: DecodeImage) {
+  constructor(decode: DecodeImage | undefined) {
     this.#decode = decode;
   }
 
@@ -45,19 +46,25 @@ export class OldImages {
     const name = label ? `The image ${JSON.stringify(label)}` : 'An image of the document';
     const bytes = texture.getImage();
     if (!bytes) throw new AbflatError('UnreadableFile', `${name} has no data.`);
-    if (isKtx2(bytes) && this.#decode === usualDecode)
-      throw new AbflatError(
-        'UnreadableFile',
-        `${name} is a KTX2 texture. Convert it to PNG, such as with 'ktx extract', or pass bake: { decode }.`,
-      );
     if (isDeepPng(bytes)) this.#deep.add(texture);
     try {
-      return await this.#decode({ bytes, mimeType: texture.getMimeType() });
+      return await this.#decoded(name, { bytes, mimeType: texture.getMimeType() });
     } catch (error) {
       if (error instanceof AbflatError) throw error;
       const reason = messageOf(error).replace(/\.$/, '');
       throw new AbflatError('UnreadableFile', `${name} cannot be decoded: ${reason}.`);
     }
+  }
+
+  async #decoded(name: string, file: ImageFile): Promise<BakeImage> {
+    const own = await this.#decode?.(file);
+    if (own) return own;
+    if (isKtx2(file.bytes))
+      throw new AbflatError(
+        'UnreadableFile',
+        `${name} is a KTX2 texture. Convert it to PNG, such as with 'ktx extract', or pass bake: { decode }.`,
+      );
+    return usualDecode(file);
   }
 }
 

@@ -56,8 +56,33 @@ export function putLook(
     if (holds(baked, 'baseColor')) dropAttribute(primitive, 'COLOR_0');
     if (holds(baked, 'normal')) dropAttribute(primitive, 'TANGENT');
   }
+  const before = imageTypes(document);
   dropUnused(dropped);
+  dropImageFormats(document, before);
   return baked;
+}
+
+const IMAGE_FORMATS: Record<string, string> = {
+  KHR_texture_basisu: 'image/ktx2',
+  EXT_texture_webp: 'image/webp',
+  EXT_texture_avif: 'image/avif',
+};
+
+const imageTypes = (document: Document) =>
+  new Set(
+    document
+      .getRoot()
+      .listTextures()
+      .map((texture) => texture.getMimeType()),
+  );
+
+/** Of the last image: programs refuse a file that requires a format which they do not know. */
+function dropImageFormats(document: Document, before: Set<string>): void {
+  const now = imageTypes(document);
+  for (const extension of document.getRoot().listExtensionsUsed()) {
+    const type = IMAGE_FORMATS[extension.extensionName];
+    if (type && before.has(type) && !now.has(type)) extension.dispose();
+  }
 }
 
 const holds = (baked: BakedTexture[], map: MapName) => baked.some(({ maps }) => maps.includes(map));

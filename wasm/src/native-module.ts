@@ -1,6 +1,5 @@
-// The module that Emscripten writes; see wasm/bindings/main/api.cpp for the functions.
+// The functions of the main module; see wasm/bindings/main/api.cpp.
 
-import type { NativeSettings } from './glue.js';
 import type { InputModule } from './input-module.js';
 
 /** Pointers and sizes are unsigned in C++ and signed here: add `>>> 0`. */
@@ -35,5 +34,3 @@ export interface NativeModule extends InputModule {
   _abflatSampleCount(): number;
   _abflatSampleName(index: number): number;
 }
-
-export default function createNative(settings: NativeSettings): Promise<NativeModule>;

@@ -1,3 +1,0 @@
-import create from './abflat.js';
-
-export const plain = { create };
