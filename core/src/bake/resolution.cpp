@@ -16,8 +16,9 @@ constexpr int kLeastSide = 16, kUsualSide = 1024, kMostSide = 8192;
 
 /// With that longer side.
 AtlasSize inShape(const AtlasSize& shape, double longer) {
+  const double most = std::clamp<double>(longer, kLeastSide, kMostSide);
   const auto side = [&](int own) {
-    const double texels = std::round(longer * own / shape.longer());
+    const double texels = std::round(most * own / shape.longer());
     return static_cast<int>(std::clamp<double>(texels, kLeastSide, kMostSide));
   };
   return {side(shape.width), side(shape.height)};

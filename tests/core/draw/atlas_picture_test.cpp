@@ -84,7 +84,7 @@ TEST_CASE("charts whose numbers are near have colours that differ") {
 TEST_CASE("no picture in pixels of an atlas that is too large") {
   UnwrapResult r = unwrapped(tetrahedron());
   CHECK(atlasPng(tetrahedron(), r).ok());
-  r.report.atlas.resolution = kMostPictureTexels + 1;
+  r.report.atlas.width = kMostPictureTexels + 1;
   CHECK(atlasPng(tetrahedron(), r).status().code == StatusCode::InvalidOption);
   CHECK(heatMapPng(tetrahedron(), r).status().code == StatusCode::InvalidOption);
 }
