@@ -45,8 +45,8 @@ ABFLAT_API void abflat_free_options(abflat_options* options);
 
 /* Sets an option of unwrap, of pack, or of both, by its name in JSON ("maxStretch") or on the
    command line ("--max-stretch") to a value as on the command line: "1.04", "auto", "true",
-   "quarter", "2048x1024"; "seams" takes a list of sources, such as "auto,sharp=60". Returns a status;
-   InvalidOption changes nothing. */
+   "quarter", "2048x1024"; "seams" takes a list of sources, such as "auto,sharp=60". Returns a
+   status; InvalidOption changes nothing. */
 ABFLAT_API int abflat_set_option(abflat_options* options, const char* name, const char* value);
 
 /* One sentence about the last call of abflat_set_option; empty if its status was 0. */

@@ -141,9 +141,9 @@ class GltfLookMaker {
     ObjPlan first = colours.empty() ? plan : old_.plans.plans[*colours.begin()];
     first.hasVertexColours = true;
     const AtlasSize sizes[] = {baker_.sizeOf(first), sizeOf(opacities)};
-    images::Image image = white({std::max(sizes[0].width, sizes[1].width),
-                                 std::max(sizes[0].height, sizes[1].height)},
-                                plan.channels);
+    images::Image image = white(
+        {std::max(sizes[0].width, sizes[1].width), std::max(sizes[0].height, sizes[1].height)},
+        plan.channels);
     if (Status s = paint(first, image); !s.ok()) return s;
     if (Status s = multiply(opacities, true, 3, image); !s.ok()) return s;
     if (Status s = put(image, plan, {}, &MaterialLook::image); !s.ok()) return s;
