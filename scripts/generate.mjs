@@ -33,6 +33,7 @@ import { renderPython } from './lib/generate-python.mjs';
 import {
   renderBits,
   renderLateOptions,
+  renderOptionTexts,
   renderResultArrays,
   renderTypeScript,
 } from './lib/generate-ts.mjs';
@@ -63,6 +64,7 @@ export function renderAll(root) {
     ['native/src/files/generated/file_format.h', renderFileFormat(schema)],
     ['native/python/abflat/_generated.py', renderPython(schema)],
     ['web/src/words/generated-formats.ts', renderPageFormats(schema)],
+    ['web/src/words/generated-option-texts.ts', renderOptionTexts(schema)],
     ['wasm/bindings/generated/field.h', renderField(schema)],
     ['wasm/bindings/generated/unwrap_array.h', renderUnwrapArrays(schema)],
     ['wasm/src/base/generated.ts', renderTypeScript(schema)],

@@ -9,7 +9,6 @@ import { ownThree } from './scripts/own-three.mjs';
 import { usedThree } from './scripts/used-three.mjs';
 import { withoutEval } from './scripts/without-eval.mjs';
 import { withoutIndents } from './scripts/without-indents.mjs';
-import { MORE } from './src/model/more-names';
 
 /** Vite's own client, for development, has inline styles. */
 const { 'Content-Security-Policy': _, ...isolation } = headers;
@@ -32,7 +31,7 @@ export default defineConfig({
   },
   plugins: [
     hashedScript('theme.js'),
-    optionTexts([...MORE, 'padding', 'margin', 'islandSizes']),
+    optionTexts(),
     usedThree(),
     namedMethods(),
     withoutIndents(),

@@ -176,6 +176,17 @@ export function renderLateOptions(schema) {
   return `${[TS_HEADER, ...parts].join('\n').trimEnd()}\n`;
 }
 
+/** What the options are for that the page has controls for. */
+export function renderOptionTexts({ unwrapOptions, packOptions }) {
+  const table = (name, options) => {
+    const rows = options.map((option) => `  ${option.name}: ${literal(fullText(option))},`);
+    return `export const ${name} = {\n${rows.join('\n')}\n} as const;\n`;
+  };
+  return [TS_HEADER, table('UNWRAP_TEXTS', unwrapOptions), table('PACK_TEXTS', packOptions)].join(
+    '\n',
+  );
+}
+
 export function renderTypeScript(schema) {
   const parts = [
     TS_HEADER,

@@ -8,6 +8,7 @@ export const LATER = [
   'bound-painting',
   'chart-tools',
   'density-painting',
+  'generated-option-texts',
   'gltf-file',
   'help-groups',
   'make-surface',

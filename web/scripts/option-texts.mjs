@@ -1,21 +1,17 @@
-// Vite plugin: of the package's words on options, leaves out those that the page has its own words for.
+// Vite plugin: leaves out the package's words on options. The page has its own, and its own copy of
+// some of them, which it loads later.
 
 const MODULE = /\/generated\.js$/;
 const OPTION = /^ {2}(\w+): \{ type: .* \},?$/gm;
 const TEXT = /, text: "(?:[^"\\]|\\.)*"/;
 
-/**
- * @param {string[]} shown the options whose words are shown
- * @returns {import('vite').Plugin}
- */
-export const optionTexts = (shown) => ({
+/** @returns {import('vite').Plugin} */
+export const optionTexts = () => ({
   name: 'abflat-option-texts',
   apply: 'build',
   transform(code, id) {
     if (!MODULE.test(id)) return undefined;
-    const rest = code.replaceAll(OPTION, (option, name) =>
-      shown.includes(name) ? option : option.replace(TEXT, ''),
-    );
+    const rest = code.replaceAll(OPTION, (option) => option.replace(TEXT, ''));
     if (rest === code)
       throw new Error('Options are written in another way now: change option-texts.mjs.');
     return { code: rest, map: null };

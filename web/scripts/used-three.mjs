@@ -27,9 +27,12 @@ const USED = new Set([
   'tonemapping_fragment',
 ]);
 
-/** Nothing is stored as JSON; what is under the pointer, and what keys do, is up to the page itself. */
+/**
+ * Nothing is stored as JSON; what is under the pointer, and what keys do, is up to the page itself, and its colours are
+ * numbers.
+ */
 const UNUSED_METHODS =
-  /^\t(?:static )?(?:toJSON|fromJSON|raycast|_handleKeyDown|saveState)\(.*\) \{$[\s\S]*?^\t\}$/gm;
+  /^\t(?:static )?(?:toJSON|fromJSON|raycast|_handleKeyDown|saveState|setStyle|getStyle|setColorName|offsetHSL|lerpHSL)\(.*\) \{$[\s\S]*?^\t\}$/gm;
 
 /** The colours of the page are numbers. */
 const COLOR_NAMES = /^(const _colorKeywords = )\{[\s\S]*?\};$/m;

@@ -79,6 +79,7 @@ export class App implements SessionEvents {
   private readonly later = new LaterParts([
     () => this.workshop.loadRest(),
     () => this.seams.loadRest(),
+    () => this.controls.loadRest(),
     async () => this.tools?.loadRest(),
     stackParts,
     plots,

@@ -65,6 +65,10 @@ export class LayoutControls {
     });
   }
 
+  async loadRest(): Promise<void> {
+    await Promise.all([this.options.loadRest(), this.packing.loadRest()]);
+  }
+
   get settings(): Settings {
     const { mode } = this.mode;
     if (mode === 'pack') return this.packing.settings;

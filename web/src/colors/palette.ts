@@ -35,7 +35,8 @@ export const RAMP_SIZE = 4;
 export function readPalette(): Palette {
   const style = getComputedStyle(document.documentElement);
   const value = (name: string) => style.getPropertyValue(`--${name}`).trim();
-  const color = (name: string) => new Color(value(name));
+  /** As in "#4080ff". */
+  const color = (name: string) => new Color(Number.parseInt(value(name).slice(1), 16));
   return {
     background: color('view'),
     clay: color('clay'),

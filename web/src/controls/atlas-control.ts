@@ -63,6 +63,10 @@ export class AtlasControl {
     );
   }
 
+  loadRest(): Promise<void> {
+    return this.more.loadRest();
+  }
+
   /** Another mesh was opened. */
   open({ summary, isReread }: { summary: MeshSummary; isReread: boolean }): void {
     this.more.open(summary.texcoords > 0, isReread);

@@ -16,6 +16,7 @@ import { OPTIONS } from '../words/controls';
 import { sentence } from '../words/format';
 import { PACKING } from '../words/selection';
 import { NumberField } from './number-field';
+import { optionTexts } from './option-texts';
 
 /**
  * Further options of an atlas. They open with a button, which names the options that differ from
@@ -29,6 +30,8 @@ export class MoreControl {
   private udim: HTMLButtonElement | null = null;
   private readonly tiles = create('select', 'button');
   private readonly keepUv: HTMLButtonElement;
+  /** What waits for the words on an option. */
+  private readonly titled: [HTMLElement, MoreName][] = [];
   private options: MoreOptions = defaultOptions();
   /** Each shows one option as it is. */
   private readonly shows: (() => void)[] = [];
@@ -56,6 +59,12 @@ export class MoreControl {
       this.setOpen(false);
       this.button.focus();
     });
+  }
+
+  async loadRest(): Promise<void> {
+    const { UNWRAP_TEXTS } = await optionTexts();
+    for (const [control, name] of this.titled) control.title = sentence(UNWRAP_TEXTS[name]);
+    if (this.udim) this.udim.title += OPTIONS.tilesNeedDensity;
   }
 
   private setOpen(isOpen: boolean): void {
@@ -161,13 +170,11 @@ export class MoreControl {
   }
 
   private addSwitch(name: 'straightSeams' | 'udim'): void {
-    const text = sentence(UNWRAP_OPTIONS[name].text);
-    const button = this.switchOf(idOf(name), MORE_LABELS[name], text);
+    const button = this.switchOf(idOf(name), MORE_LABELS[name], '');
+    this.titled.push([button, name]);
     this.shows.push(() => button.setAttribute('aria-pressed', String(this.options[name])));
     button.addEventListener('click', () => this.set({ [name]: !this.options[name] }));
-    if (name !== 'udim') return;
-    button.title += OPTIONS.tilesNeedDensity;
-    this.udim = button;
+    if (name === 'udim') this.udim = button;
   }
 
   private switchOf(id: string, label: string, title: string): HTMLButtonElement {
@@ -180,7 +187,7 @@ export class MoreControl {
   }
 
   private addRow(name: MoreName, control: HTMLInputElement | HTMLSelectElement): void {
-    this.row(idOf(name), MORE_LABELS[name], sentence(UNWRAP_OPTIONS[name].text), control);
+    this.titled.push([this.row(idOf(name), MORE_LABELS[name], '', control), name]);
   }
 
   private row(
@@ -188,7 +195,7 @@ export class MoreControl {
     name: string,
     about: string,
     control: HTMLInputElement | HTMLSelectElement,
-  ): void {
+  ): HTMLElement {
     const row = create('div', 'more-row');
     const label = create('label', '', name);
     control.id = id;
@@ -196,6 +203,7 @@ export class MoreControl {
     row.title = about;
     row.append(label, control);
     this.panel.append(row);
+    return row;
   }
 }
 

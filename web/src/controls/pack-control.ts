@@ -12,6 +12,7 @@ import {
 import { sentence } from '../words/format';
 import { PACKING } from '../words/selection';
 import { NumberField } from './number-field';
+import { optionTexts } from './option-texts';
 import { ResolutionControl } from './resolution-control';
 
 export interface PackEvents {
@@ -42,13 +43,12 @@ export class PackControl {
   constructor(private readonly events: PackEvents) {
     const { changed, say } = events;
     const usual = usualPackChoices();
-    fill(this.rotate, PACK_OPTIONS.rotate);
-    fill(this.sizes, PACK_OPTIONS.islandSizes);
+    fill(this.rotate, PACK_OPTIONS.rotate.choices);
+    fill(this.sizes, PACK_OPTIONS.islandSizes.choices);
     this.tiles.append(...TILES.map((tiles) => new Option(PACKING.tiles[tiles], tiles)));
     this.tiles.title = PACKING.aboutTiles;
     const number = <T extends number | 'auto'>(name: 'padding' | 'margin', value: T) => {
       const input = element(`pack-${name}`, HTMLInputElement);
-      input.title = sentence(PACK_OPTIONS[name].text);
       return new NumberField<T>(input, PACK_OPTIONS[name], value, changed, say);
     };
     this.padding = number<number>('padding', usual.padding);
@@ -70,6 +70,14 @@ export class PackControl {
     element('pack-options', HTMLFormElement).addEventListener('submit', (event) =>
       event.preventDefault(),
     );
+  }
+
+  async loadRest(): Promise<void> {
+    const { PACK_TEXTS } = await optionTexts();
+    for (const name of ['padding', 'margin'] as const)
+      element(`pack-${name}`, HTMLInputElement).title = sentence(PACK_TEXTS[name]);
+    this.rotate.title = sentence(PACK_TEXTS.rotate);
+    this.sizes.title = sentence(PACK_TEXTS.islandSizes);
   }
 
   get settings(): PackSettings {
@@ -145,10 +153,6 @@ export class PackControl {
   }
 }
 
-function fill(
-  select: HTMLSelectElement,
-  { choices, text }: { readonly choices: readonly string[]; readonly text: string },
-): void {
+function fill(select: HTMLSelectElement, choices: readonly string[]): void {
   select.append(...choices.map((choice) => new Option(sentence(choice), choice)));
-  select.title = sentence(text);
 }
