@@ -201,3 +201,18 @@ test('many charts that touch in one point are coloured at once', async () => {
   assert.equal(found.length, count);
   assert.ok(found.every((color) => color >= 0));
 });
+
+test('colours that the views read from the style sheet have six digits', () => {
+  const text = (path) => readFileSync(join(ROOT, 'web/src', path), 'utf8');
+  const named = [...text('colors/palette.ts').matchAll(/color\('([\w-]+)'\)/g)].map(
+    ([, name]) => name,
+  );
+  assert.ok(named.length > 10);
+  const read = new RegExp(
+    `^\\s*--(${named.join('|')}|(?:chart|ramp)-\\d+|overlapping|outside|empty|stacked): (.*);`,
+    'gm',
+  );
+  const values = [...text('css/tokens.css').matchAll(read)];
+  assert.ok(values.length > 2 * named.length, 'in both themes');
+  for (const [, name, value] of values) assert.match(value, /^#[0-9a-f]{6}$/, name);
+});
