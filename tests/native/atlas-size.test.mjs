@@ -116,7 +116,7 @@ test('a width that is the height is the side of a square: the same bytes', async
 });
 
 test('a texel density, and tiles of that shape', async () => {
-  const input = await sampled('head');
+  const input = await sampled('three-balls');
   const { report } = await laid('unwrap', input, [512, 256]);
   const density = report.atlas.texelDensity;
   const half = await laid('unwrap', input, [512, 256], ['--texel-density', `${density / 2}`]);
