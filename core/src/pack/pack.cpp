@@ -337,11 +337,12 @@ class Packer {
   /// The first resolution from this width up that fits; 0 if there is none, or if cancelled.
   AtlasSize resolutionThatFits(double width) const {
     PackOptions finer = options_;
-    for (; width <= kMostResolution; width *= 1.02) {
+    while (width <= kMostResolution) {
       finer.resolution = withWidth(width, options_.resolution);
       if (finer.resolution.longer() > kMostResolution) break;
       const Fit fit = fitOf(finer);
       if (fit != Fit::TooMany) return fit == Fit::All ? finer.resolution : AtlasSize();
+      width *= 1.02;
     }
     return {};
   }
