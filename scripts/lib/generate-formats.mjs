@@ -137,7 +137,8 @@ export interface MeshFile {
 
 /** The manifest of the page with the files that the system may open with it. */
 export function fillManifest(text, { formats }) {
-  const rows = filesOf(formats)
+  // The page alone opens FBX.
+  const rows = [...filesOf(formats), { ending: '.fbx', type: 'application/x-fbx' }]
     .map(({ ending, type }) => `        ${literal(type)}: [${literal(ending)}]`)
     .sort();
   const accept = /"accept": \{[^}]*\}/;
