@@ -310,45 +310,86 @@ function paintedBall() {
 
 const linear = (x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
+/** Text of a PLY; a row of `columns` for each vertex, a list for each face. */
+const plyText = (columns, rows, faces, comment = '') =>
+  [
+    `ply\nformat ascii 1.0${comment}\nelement vertex ${rows.length}`,
+    ...columns.map((name) => `property ${/^[xyzst]$/.test(name) ? 'double' : 'uchar'} ${name}`),
+    `element face ${faces.length}\nproperty list uchar int vertex_indices\nend_header`,
+    ...rows.map((row) => row.join(' ')),
+    ...faces.map((face) => [face.length, ...face].join(' ')),
+    '',
+  ].join('\n');
+
+/** Unwraps a painted file to a GLB, and returns its only image where vertices of triangles are. */
+async function bakedImage(t, files, name) {
+  const args = ['unwrap', name, '-o', 'out.glb', '--bake', '--bake-resolution', `${SIDE}`];
+  const run = await objRun(t, files, ...args);
+  assert.deepEqual([run.code, run.stderr], [0, '']);
+  assert.deepEqual(await errorsIn(run.at('out.glb'), run.at), []);
+  const maps = run.report().baking.maps.map(({ map }) => map);
+  assert.deepEqual(maps, ['baseColor']);
+  const { sample, json } = samplerOf(readFileSync(run.at('out.glb')));
+  assert.equal('COLOR_0' in json.meshes[0].primitives[0].attributes, false);
+  return (triangle, weights) => sample(COLOUR, triangle, weights, true);
+}
+
+const trianglesOf = (faces) =>
+  faces.flatMap((face) => face.slice(2).map((_, i) => [face[0], face[i + 1], face[i + 2]]));
+
+/** Colours of 0 to 255 at the vertices, times a colour, are what an image shows between them. */
+function assertPainted(image, triangles, colours, times = [1, 1, 1]) {
+  atRandomPoints(triangles.length, (triangle, weights) => {
+    const is = image(triangle, weights);
+    times.forEach((factor, d) => {
+      const wanted = triangles[triangle].reduce(
+        (sum, v, k) => sum + weights[k] * factor * linear(colours[v][d] / 255),
+        0,
+      );
+      assert.ok(Math.abs(is[d] - wanted) < NEAR, `${is[d]} is not ${wanted}`);
+    });
+  });
+}
+
 test('colours of the vertices of a PLY or an OBJ become an image of a GLB', async (t) => {
   const { positions, faces, colours } = paintedBall();
-  const names = ['x', 'y', 'z', 'red', 'green', 'blue'];
-  const ply = [
-    `ply\nformat ascii 1.0\nelement vertex ${positions.length}`,
-    ...names.map((name, i) => `property ${i < 3 ? 'double' : 'uchar'} ${name}`),
-    `element face ${faces.length}\nproperty list uchar int vertex_indices\nend_header`,
-    ...positions.map((p, v) => [...p, ...colours[v]].join(' ')),
-    ...faces.map((face) => [face.length, ...face].join(' ')),
-  ];
+  const columns = ['x', 'y', 'z', 'red', 'green', 'blue'];
+  const rows = positions.map((p, v) => [...p, ...colours[v]]);
   const obj = [
     ...positions.map((p, v) => ['v', ...p, ...colours[v].map((x) => x / 255)].join(' ')),
     ...faces.map((face) => ['f', ...face.map((v) => v + 1)].join(' ')),
-  ];
-  for (const [name, lines] of [
-    ['in.ply', ply],
+    '',
+  ].join('\n');
+  for (const [name, text] of [
+    ['in.ply', plyText(columns, rows, faces)],
     ['in.obj', obj],
+  ])
+    assertPainted(await bakedImage(t, { [name]: text }, name), trianglesOf(faces), colours);
+});
+
+test('the image of a PLY follows its new layout, with and without colours of vertices', async (t) => {
+  const [red, green, blue] = [200, 100, 50];
+  const image = { 'skin.png': madePng(32, 32, () => [red, green, blue]) };
+  const places = [0, 1, 2].flatMap((y) => [0, 1, 2].map((x) => [x, y]));
+  const faces = [0, 1, 3, 4].map((v) => [v, v + 1, v + 4, v + 3]);
+  const colours = places.map(([x, y]) => [120 * x, 100 * y, 255]);
+  const comment = '\ncomment TextureFile skin.png';
+  const placed = ([x, y]) => [x, y, x * y, x / 2, y / 2];
+  const columns = ['x', 'y', 'z', 's', 't'];
+  const white = places.map(() => [255, 255, 255]);
+  const times = [red, green, blue].map((x) => linear(x / 255));
+  const plain = plyText(columns, places.map(placed), faces, comment);
+  const painted = plyText(
+    [...columns, 'red', 'green', 'blue'],
+    places.map((place, v) => [...placed(place), ...colours[v]]),
+    faces,
+    comment,
+  );
+  for (const [text, own] of [
+    [plain, white],
+    [painted, colours],
   ]) {
-    const args = ['unwrap', name, '-o', 'out.glb', '--bake', '--bake-resolution', `${SIDE}`];
-    const run = await objRun(t, { [name]: `${lines.join('\n')}\n` }, ...args);
-    assert.deepEqual([run.code, run.stderr], [0, '']);
-    assert.deepEqual(await errorsIn(run.at('out.glb'), run.at), []);
-    const maps = run.report().baking.maps.map(({ map }) => map);
-    assert.deepEqual(maps, ['baseColor']);
-    const { sample, json } = samplerOf(readFileSync(run.at('out.glb')));
-    assert.equal('COLOR_0' in json.meshes[0].primitives[0].attributes, false);
-    const triangles = faces.flatMap((face) =>
-      face.slice(2).map((_, i) => [face[0], face[i + 1], face[i + 2]]),
-    );
-    assert.ok(triangles.length > 50);
-    atRandomPoints(triangles.length, (triangle, weights) => {
-      const is = sample(COLOUR, triangle, weights, true);
-      [0, 1, 2].forEach((d) => {
-        const wanted = triangles[triangle].reduce(
-          (sum, v, k) => sum + weights[k] * linear(colours[v][d] / 255),
-          0,
-        );
-        assert.ok(Math.abs(is[d] - wanted) < NEAR, `${name}: ${is[d]} is not ${wanted}`);
-      });
-    });
+    const found = await bakedImage(t, { 'in.ply': text, ...image }, 'in.ply');
+    assertPainted(found, trianglesOf(faces), own, times);
   }
 });

@@ -81,7 +81,7 @@ test('what cannot be baked is refused in a sentence', async (t) => {
     ],
     [
       ['unwrap', 'in.ply', '-o', 'out.obj', '--bake'],
-      'in.ply is PLY. The colours of its vertices are baked into a .glb or .gltf alone.',
+      'in.ply is a PLY. It can only be baked into a .glb or .gltf; give --output such a name.',
     ],
   ]) {
     const { code, stderr } = await runAbflat(args, { cwd: at() });

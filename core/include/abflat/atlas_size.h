@@ -28,7 +28,7 @@ struct AtlasSize {
   constexpr int shorter() const { return std::min(width, height); }
   /// The side of a square with as many texels.
   double meanSide() const { return std::sqrt(static_cast<double>(width) * height); }
-  /// What a length along v is in v, if along u it is 1 in u.
+  /// A length that is 1 in u where it lies along u is this much in v where it lies along v.
   double aspect() const { return static_cast<double>(width) / height; }
 };
 

@@ -36,10 +36,10 @@ Status holdOthers(const std::vector<std::uint32_t>& islands, MeshLayout& layout)
   return {};
 }
 
-/// Where some stay, all were for this texture.
+/// Where some islands stay, all were made for a texture of this shape.
 void setAspects(const PolygonMesh& mesh, const PackLayoutOptions& options, MeshLayout& layout) {
-  const double aspect = options.resolution.aspect();
   if (options.keepPlaces) return;
+  const double aspect = options.resolution.aspect();
   const double old = options.islands.empty() ? oldAspect(mesh, layout.triangles, aspect) : aspect;
   for (IslandStack& stack : layout.stacks) stack.aspect = stack.isFixed ? 1 : old;
 }

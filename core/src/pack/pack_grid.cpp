@@ -21,7 +21,6 @@ PackGrid makePackGrid(const PackOptions& options, std::size_t shapes) {
   constexpr double kCellsOfShape = 64;
   constexpr double kLeastCellsOfShape = 8;
   constexpr int kMostCells = 2048, kLeastCells = 512;
-  constexpr int kLeastRows = 16;  // of cells along the shorter side
   const double resolution = options.resolution.meanSide();
   PackGrid grid;
   grid.resolution = options.resolution;

@@ -18,6 +18,9 @@ struct PackGrid {
   int rows() const { return (resolution.height - 2 * margin) / cell; }
 };
 
+/// Of cells, along the shorter side of a tile.
+constexpr int kLeastRows = 16;
+
 /// Makes cells as large as possible without wasting room: they have to be small compared with the
 /// shapes.
 PackGrid makePackGrid(const PackOptions& options, std::size_t shapes);

@@ -21,7 +21,6 @@ QuickFit::QuickFit(const PackOptions& options, int cells)
                                                  : 8),
       rotate_(options.rotate) {
   grid_ = makePackGrid(options, 1);
-  constexpr int kLeastRows = 16;  // of cells along the shorter side
   const int side = static_cast<int>(options.resolution.meanSide());
   const int shorter = options.resolution.shorter();
   grid_.cell =

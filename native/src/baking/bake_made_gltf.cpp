@@ -25,7 +25,7 @@ class GltfLookMaker {
     for (MaterialLook& material : look_.materials) material.image = kNoImage;
     look_.materials.resize(std::max(look_.materials.size(), planOf_.size()));
     findPlans();
-    if (Status s = look_.colors.empty() ? makeColour() : makeColourOfVertices(); !s.ok()) return s;
+    if (Status s = makeColour(); !s.ok()) return s;
     if (Status s = makeMetal(); !s.ok()) return s;
     if (Status s = makeOne("normal", &MaterialLook::normalImage); !s.ok()) return s;
     if (Status s = makeOne("emissive", &MaterialLook::emissiveImage); !s.ok()) return s;
@@ -121,49 +121,32 @@ class GltfLookMaker {
     return out;
   }
 
+  /// Colours of materials and of vertices, and opacities. Any vertex has a colour, so all materials
+  /// have the image then, and vertices lose theirs.
   Status makeColour() {
     const std::set<std::size_t> colours = plansOf("diffuse"), opacities = plansOf("opacity");
     std::set<std::size_t> all = colours;
     all.insert(opacities.begin(), opacities.end());
-    if (all.empty()) return {};
-    ObjPlan plan = planOfColour(opacities);
-    images::Image image = white(sizeOf(all), plan.channels);
-    if (!colours.empty())
-      if (Status s = paint(old_.plans.plans[*colours.begin()], image); !s.ok()) return s;
-    if (Status s = multiply(opacities, true, 3, image); !s.ok()) return s;
-    return put(image, plan, {"diffuse", "opacity"}, &MaterialLook::image);
-  }
-
-  /// All materials have the image, since any vertex has a colour, and vertices lose theirs.
-  Status makeColourOfVertices() {
-    const std::set<std::size_t> colours = plansOf("diffuse"), opacities = plansOf("opacity");
-    ObjPlan plan = planOfColour(opacities);
+    const bool isPainted = !look_.colors.empty();
+    if (all.empty() && !isPainted) return {};
+    ObjPlan plan;
+    plan.name = "baseColor";
+    plan.space = ColourSpace::Srgb;
+    plan.channels = opacities.empty() ? 3 : 4;
     ObjPlan first = colours.empty() ? plan : old_.plans.plans[*colours.begin()];
-    first.hasVertexColours = true;
-    const AtlasSize sizes[] = {baker_.sizeOf(first), sizeOf(opacities)};
-    images::Image image = white(
-        {std::max(sizes[0].width, sizes[1].width), std::max(sizes[0].height, sizes[1].height)},
-        plan.channels);
-    if (Status s = paint(first, image); !s.ok()) return s;
+    first.hasVertexColours = isPainted;
+    images::Image image = white(all.empty() ? baker_.sizeOf(first) : sizeOf(all), plan.channels);
+    if (isPainted || !colours.empty()) {
+      const Result<images::Image> baked = baker_.bake(first, sizeOf(image), 8);
+      if (!baked.ok()) return baked.status();
+      image = withChannels(baked.value(), plan.channels);
+    }
     if (Status s = multiply(opacities, true, 3, image); !s.ok()) return s;
-    if (Status s = put(image, plan, {}, &MaterialLook::image); !s.ok()) return s;
+    if (Status s = put(image, plan, {"diffuse", "opacity"}, &MaterialLook::image); !s.ok())
+      return s;
+    if (!isPainted) return {};
     for (MaterialLook& material : look_.materials) material.image = look_.images.size() - 1;
     look_.colors.clear();
-    return {};
-  }
-
-  static ObjPlan planOfColour(const std::set<std::size_t>& opacities) {
-    ObjPlan out;
-    out.name = "baseColor";
-    out.space = ColourSpace::Srgb;
-    out.channels = opacities.empty() ? 3 : 4;
-    return out;
-  }
-
-  Status paint(const ObjPlan& plan, images::Image& image) const {
-    const Result<images::Image> baked = baker_.bake(plan, sizeOf(image), 8);
-    if (!baked.ok()) return baked.status();
-    image = withChannels(baked.value(), image.channels);
     return {};
   }
 

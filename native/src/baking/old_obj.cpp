@@ -44,20 +44,40 @@ void dropUnused(ObjMaps& maps, std::vector<ImageTraits>& traits) {
   traits = std::move(theirs);
 }
 
-}  // namespace
-
-Result<OldObj> readOldObj(std::string_view bytes, const PolygonMesh& mesh,
-                          const ReadResource& readResource) {
-  Result<ObjMaps> maps = readObjMaps(bytes, mesh, readResource);
-  if (!maps.ok()) return maps.status();
+Result<OldObj> withPlans(ObjMaps maps) {
   OldObj out;
-  out.maps = std::move(maps).value();
+  out.maps = std::move(maps);
   Result<std::vector<ImageTraits>> traits = traitsOfAll(out.maps);
   if (!traits.ok()) return traits.status();
   dropUnused(out.maps, traits.value());
   out.plans = planObj(out.maps, traits.value());
   if (Status s = out.images.take(out.maps.images); !s.ok()) return s;
   return out;
+}
+
+}  // namespace
+
+Result<OldObj> readOldObj(std::string_view bytes, const PolygonMesh& mesh,
+                          const ReadResource& readResource) {
+  Result<ObjMaps> maps = readObjMaps(bytes, mesh, readResource);
+  if (!maps.ok()) return maps.status();
+  return withPlans(std::move(maps).value());
+}
+
+Result<OldObj> readOldPly(std::string_view bytes, const PolygonMesh& mesh,
+                          const ReadResource& readResource) {
+  Result<Appearance> look = readAppearance(bytes, MeshFormat::Ply, mesh, readResource);
+  if (!look.ok()) return look.status();
+  ObjMaps maps;
+  maps.images = std::move(look.value().images);
+  for (const MaterialLook& material : look.value().materials) {
+    MtlMap colour;
+    colour.name = "diffuse";
+    colour.meaning = MtlMeaning::Colour;
+    colour.image = material.image;
+    maps.materials.push_back({colour});
+  }
+  return withPlans(std::move(maps));
 }
 
 }  // namespace abflat::cli

@@ -186,8 +186,10 @@ class MeshRun {
     if constexpr (Job::kBakes) {
       const std::string name = inputName(command_.input);
       if (input_.format == FileFormat::Ply && writtenFormat(command_.output) != FileFormat::Gltf)
-        return {StatusCode::InvalidOption,
-                name + " is PLY. The colours of its vertices are baked into a .glb or .gltf alone"};
+        return {
+            StatusCode::InvalidOption,
+            name +
+                " is a PLY. It can only be baked into a .glb or .gltf; give --output such a name"};
       if (input_.format != FileFormat::Obj && input_.format != FileFormat::Ply)
         return {StatusCode::InvalidOption, name + " is " + titleOf(input_.format) +
                                                ". Only a glTF, an OBJ or a PLY can be baked"};

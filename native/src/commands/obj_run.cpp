@@ -37,9 +37,9 @@ Status ObjRun::read(const InputFile& input) {
     used.push_back((folder / name).string());
     return input.readResource(name);
   };
-  Result<OldObj> old = orOutOfMemory(inputName(input.path), [&]() -> Result<OldObj> {
-    if (input.format != FileFormat::Obj) return OldObj();
-    return readOldObj(input.bytes, input.mesh, readResource);
+  Result<OldObj> old = orOutOfMemory(inputName(input.path), [&] {
+    return (input.format == FileFormat::Ply ? readOldPly : readOldObj)(input.bytes, input.mesh,
+                                                                       readResource);
   });
   if (!old.ok()) return old.status();
   old_ = std::move(old).value();

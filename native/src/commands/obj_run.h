@@ -10,8 +10,8 @@
 
 namespace abflat::cli {
 
-/// Bakes an OBJ: into files beside the new one, or into a glTF that is made from it. The colours of
-/// the vertices of a PLY, which has nothing else, go into such a glTF, too.
+/// Bakes an OBJ: into files beside the new one, or into a glTF that is made from it. A PLY becomes
+/// such a glTF, too.
 class ObjRun {
  public:
   /// `others` are paths that the command writes besides, or reads.
