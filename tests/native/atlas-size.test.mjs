@@ -200,32 +200,14 @@ test('pack: islands keep their shapes in texels, those of a square layout as wel
 
 test('pictures have a pixel per texel', async () => {
   const input = await sampled('head');
-  await ran([
-    'unwrap',
-    input,
-    '-o',
-    at('drawn.obj'),
-    '--resolution',
-    '300x170',
-    '--layout',
-    at('layout.png'),
-    '--heat-map',
-    at('heat.png'),
-  ]);
+  const drawn = (...pictures) =>
+    ran(['unwrap', input, '-o', at('drawn.obj'), '--resolution', '300x170', ...pictures]);
+  await drawn('--layout', at('layout.png'), '--heat-map', at('heat.png'));
   for (const name of ['layout.png', 'heat.png']) {
     const { width, height } = parsePng(readFileSync(at(name)));
     assert.deepEqual([width, height], [300, 170]);
   }
-  await ran([
-    'unwrap',
-    input,
-    '-o',
-    at('drawn.obj'),
-    '--resolution',
-    '300x170',
-    '--layout',
-    at('layout.svg'),
-  ]);
+  await drawn('--layout', at('layout.svg'));
   const [, width, height, right, bottom] = readFileSync(at('layout.svg'), 'utf8').match(
     /width="([\d.]+)" height="([\d.]+)" viewBox="0 0 ([\d.]+) ([\d.]+)"/,
   );

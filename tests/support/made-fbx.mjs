@@ -136,6 +136,17 @@ function addMaterial({ name, color, images = [], more = [] }, add, connect) {
   return material;
 }
 
+/** A cube of quads. */
+export const CUBE_VERTICES = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
+export const CUBE_QUADS = [
+  [0, 2, 3, 1],
+  [4, 5, 7, 6],
+  [0, 1, 5, 4],
+  [2, 6, 7, 3],
+  [0, 4, 6, 2],
+  [1, 3, 7, 5],
+];
+
 export const fbxParts = { node, doubles, floats, ints, long, longs, properties, property };
 
 // As text.

@@ -2,43 +2,19 @@
 // and a host that can neither read files nor compile WebAssembly, as edge functions.
 
 import assert from 'node:assert/strict';
-import {
-  cpSync,
-  mkdirSync,
-  mkdtempSync,
-  readdirSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs';
+import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { createContext, runInContext } from 'node:vm';
 import { buildSync } from 'esbuild';
-import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { createStaticServer, listen } from '../../scripts/serve.mjs';
-import { startBrowser } from '../../web/scripts/browser.mjs';
 import { examples } from './support/examples.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
+import { NEEDS_CHROME, whileTesting } from './support/while-testing.mjs';
 
-const hasChrome = findChrome() !== undefined;
-const NEEDS_CHROME = { skip: hasChrome ? false : 'there is no Chromium' };
-
-let browser;
-let folder;
-const servers = [];
-before(async () => {
-  mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
-  folder = mkdtempSync(join(ROOT, 'build/tests/wasm-hosts-'));
-  if (hasChrome) browser = await startBrowser({ webgl: false });
-});
-after(async () => {
-  await browser?.close();
-  for (const server of servers) server.close();
-  rmSync(folder, { recursive: true });
-});
+const here = whileTesting('hosts');
 
 /** All that the engine offers, in one sentence. */
 const TRY = `
@@ -61,7 +37,7 @@ const page = (code) =>
 
 /** A folder with the package's modules and these files, served. */
 async function serve(name, files) {
-  const root = join(folder, name);
+  const root = join(here.folder, name);
   cpSync(DIST, join(root, 'dist'), { recursive: true });
   for (const [path, text] of Object.entries(files)) writeFileSync(join(root, path), text);
   return serveFolder(root);
@@ -69,12 +45,12 @@ async function serve(name, files) {
 
 async function serveFolder(root) {
   const server = createStaticServer(root);
-  servers.push(server);
+  here.servers.push(server);
   return `http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}`;
 }
 
 /** What a page shows once it has something to show. */
-async function shown(address, context = browser) {
+async function shown(address, context = here.browser) {
   const tab = await context.newPage();
   try {
     await tab.goto(`${address}/`);
@@ -124,7 +100,7 @@ test('a service worker', NEEDS_CHROME, async () => {
     document.body.textContent = await (await fetch('/answer')).text();
   `;
   const address = await serve('service', { 'worker.js': worker, 'index.html': page(code) });
-  const context = await browser.newContext({ serviceWorkers: 'allow' });
+  const context = await here.browser.newContext({ serviceWorkers: 'allow' });
   assert.match(await shown(address, context), TRIED);
   await context.close();
 });
@@ -237,7 +213,7 @@ test(
     const require = createRequire(join(ROOT, 'web/package.json'));
     const path = require.resolve('vite');
     const vite = await import(pathToFileURL(path.replace(/index\.cjs$/, 'dist/node/index.js')));
-    const root = join(folder, 'vite');
+    const root = join(here.folder, 'vite');
     mkdirSync(root);
     const code = `import { createAbflatSync } from 'abflat/sync'; ${TRY}
     createAbflatSync({ also: ['pack', 'bake'] }).then(tried).then((answer) => (document.body.textContent = answer));`;

@@ -1,35 +1,18 @@
 // Entries with one build: what a bundler emits for each, and that no other build runs.
 
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { createAbflat as withSimd } from 'abflat/simd';
 import { createAbflat as withThreads } from 'abflat/threads';
-import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { createStaticServer, ISOLATED, listen } from '../../scripts/serve.mjs';
-import { startBrowser } from '../../web/scripts/browser.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
+import { NEEDS_CHROME, whileTesting } from './support/while-testing.mjs';
 
-const hasChrome = findChrome() !== undefined;
-const NEEDS_CHROME = { skip: hasChrome ? false : 'there is no Chromium' };
-
-let browser;
-let folder;
-const servers = [];
-before(async () => {
-  // Inside the repository, so that bundlers find its node_modules.
-  mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
-  folder = mkdtempSync(join(ROOT, 'build/tests/wasm-one-build-'));
-  if (hasChrome) browser = await startBrowser({ webgl: false });
-});
-after(async () => {
-  await browser?.close();
-  for (const server of servers) server.close();
-  rmSync(folder, { recursive: true });
-});
+const here = whileTesting('one-build');
 
 const PAGE =
   '<!doctype html><link rel="icon" href="data:,"><body></body><script type="module" src="./main.js"></script>';
@@ -48,7 +31,7 @@ const codeFor = (entry) => `
 async function built(entry) {
   const path = createRequire(join(ROOT, 'web/package.json')).resolve('vite');
   const vite = await import(pathToFileURL(path.replace(/index\.cjs$/, 'dist/node/index.js')));
-  const root = join(folder, entry.replace('/', '-'));
+  const root = join(here.folder, entry.replace('/', '-'));
   mkdirSync(root);
   writeFileSync(join(root, 'index.html'), PAGE);
   writeFileSync(join(root, 'main.js'), codeFor(entry));
@@ -59,8 +42,8 @@ async function built(entry) {
 
 async function shown(root, headers) {
   const server = createStaticServer(root, headers);
-  servers.push(server);
-  const page = await browser.newPage();
+  here.servers.push(server);
+  const page = await here.browser.newPage();
   try {
     await page.goto(`http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}/`);
     await page.waitForFunction(() => document.body?.innerText.includes('valid'));

@@ -3,37 +3,20 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { createAbflat } from 'abflat';
 import { buildSync } from 'esbuild';
-import { findChrome } from '../../scripts/lib/requirements.mjs';
 import { fileFor, ISOLATED, listen } from '../../scripts/serve.mjs';
-import { startBrowser } from '../../web/scripts/browser.mjs';
 import { examples } from './support/examples.mjs';
 import { grid } from './support/meshes.mjs';
 import { DIST, ROOT } from './support/paths.mjs';
+import { NEEDS_CHROME, whileTesting } from './support/while-testing.mjs';
 
-const hasChrome = findChrome() !== undefined;
-const NEEDS_CHROME = { skip: hasChrome ? false : 'there is no Chromium' };
-
-let browser;
-let folder;
-const servers = [];
-
-before(async () => {
-  mkdirSync(join(ROOT, 'build/tests'), { recursive: true });
-  folder = mkdtempSync(join(ROOT, 'build/tests/wasm-places-'));
-  if (hasChrome) browser = await startBrowser({ webgl: false });
-});
-after(async () => {
-  await browser?.close();
-  for (const server of servers) server.close();
-  rmSync(folder, { recursive: true });
-});
+const here = whileTesting('places');
 
 /**
  * Serves a folder with types for pages and scripts only, as servers with little configuration do.
@@ -50,13 +33,13 @@ async function serve(root, headers = {}, { onPages = false } = {}) {
     });
     response.end(file && readFileSync(file));
   });
-  servers.push(server);
+  here.servers.push(server);
   return `http://127.0.0.1:${await listen(server, '127.0.0.1', 0, false)}`;
 }
 
 /** What a page that runs a script shows. */
 async function shown(address) {
-  const page = await browser.newPage();
+  const page = await here.browser.newPage();
   try {
     await page.goto(`${address}/`);
     await page.waitForFunction(() => document.body?.textContent.includes('valid'));
@@ -85,7 +68,7 @@ const page = (tag) => `<!doctype html><link rel="icon" href="data:,">${tag}<body
 
 /** A site whose script is bundled by esbuild, with the files that are copied into it. */
 function bundled(name, text, { format = 'esm', files = {}, folder: path = '' } = {}) {
-  const root = join(folder, name);
+  const root = join(here.folder, name);
   mkdirSync(root);
   const tag =
     format === 'esm'
@@ -158,7 +141,7 @@ test(
   NEEDS_CHROME,
   async () => {
     const other = await serve(DIST, { 'Access-Control-Allow-Origin': '*' });
-    const root = join(folder, 'policy');
+    const root = join(here.folder, 'policy');
     mkdirSync(root);
     writeFileSync(
       join(root, 'index.html'),
@@ -201,7 +184,7 @@ test('Node takes a folder as baseUrl, and says where files are missing', async (
 });
 
 test('a Node bundle without the files says how to keep the package out of it', () => {
-  const outfile = join(folder, 'node-bundle.mjs');
+  const outfile = join(here.folder, 'node-bundle.mjs');
   const contents = `import { createAbflat } from 'abflat'; createAbflat().catch((e) => console.log(e.message));`;
   buildSync({
     stdin: { contents, resolveDir: ROOT },
@@ -226,7 +209,7 @@ test('require gives the package, where Node can', () => {
 });
 
 test('a worker of the page takes the package as the page does', NEEDS_CHROME, async () => {
-  const root = join(folder, 'in-worker');
+  const root = join(here.folder, 'in-worker');
   mkdirSync(root);
   cpSync(DIST, join(root, 'dist'), { recursive: true });
   const text = script('./dist/index.js').replace(

@@ -3,7 +3,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertValidFile, io } from '../support/gltf.mjs';
-import { asBinary, asText, fbxParts, fbxTree } from '../support/made-fbx.mjs';
+import {
+  asBinary,
+  asText,
+  CUBE_QUADS,
+  CUBE_VERTICES,
+  fbxParts,
+  fbxTree,
+} from '../support/made-fbx.mjs';
 import { loadModule } from './modules.mjs';
 
 const { readFbx } = await loadModule('files/fbx-file');
@@ -11,16 +18,7 @@ const { facesOf } = await loadModule('files/fbx-polygons');
 const { limitOf } = await loadModule('export/format-limits');
 const { node, doubles, floats, ints, longs, properties } = fbxParts;
 
-const VERTICES = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
-const QUADS = [
-  [0, 2, 3, 1],
-  [4, 5, 7, 6],
-  [0, 1, 5, 4],
-  [2, 6, 7, 3],
-  [0, 4, 6, 2],
-  [1, 3, 7, 5],
-];
-const TRIANGLES = QUADS.flatMap(([a, b, c, d]) => [
+const TRIANGLES = CUBE_QUADS.flatMap(([a, b, c, d]) => [
   [a, b, c],
   [a, c, d],
 ]);
@@ -30,8 +28,8 @@ const SQUARE = [
   [1, 1],
   [0, 1],
 ];
-const UV = QUADS.flatMap(() => SQUARE);
-const BOX = { name: 'Box', vertices: VERTICES, faces: QUADS, uv: [UV] };
+const UV = CUBE_QUADS.flatMap(() => SQUARE);
+const BOX = { name: 'Box', vertices: CUBE_VERTICES, faces: CUBE_QUADS, uv: [UV] };
 const PNG = Buffer.from(
   'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8Dwn4EIwDiqEAAAGgUCARpVpZAAAAAASUVORK5CYII=',
   'base64',
@@ -78,7 +76,9 @@ for (const [kind, write] of Object.entries(KINDS)) {
     );
     for (const [i, each] of primitives.entries()) {
       assert.equal(each.getIndices().getCount(), 18);
-      const ends = QUADS.flatMap((face, f) => (f % 2 === i ? face.map((v, k) => `${v} ${k}`) : []));
+      const ends = CUBE_QUADS.flatMap((face, f) =>
+        f % 2 === i ? face.map((v, k) => `${v} ${k}`) : [],
+      );
       const count = each.getAttribute('POSITION').getCount();
       assert.equal(count, new Set(ends).size, 'corners that agree share a vertex');
       const corners = new Set();
@@ -282,11 +282,11 @@ test('the menu of exports says what was left out, and what other formats lose be
 
 test('polygons are told from triangles', () => {
   for (const [faces, expected] of [
-    [QUADS, true],
+    [CUBE_QUADS, true],
     [TRIANGLES, false],
     [[...TRIANGLES, [0, 2, 3, 1]], true],
     [Array(60).fill(TRIANGLES[0]), false],
-    [Array(60).fill(QUADS[0]), true],
+    [Array(60).fill(CUBE_QUADS[0]), true],
   ]) {
     const tree = fbxTree({ objects: [{ ...BOX, faces, uv: [] }] });
     const told = { hasPolygons: expected, areWhole: true };

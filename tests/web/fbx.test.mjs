@@ -5,7 +5,14 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { unzipSync, zipSync } from 'fflate';
 import { assertValidFile, atlasOf, flaws, io, primitivesOf } from '../support/gltf.mjs';
-import { asBinary, asText, fbxParts, fbxTree } from '../support/made-fbx.mjs';
+import {
+  asBinary,
+  asText,
+  CUBE_QUADS,
+  CUBE_VERTICES,
+  fbxParts,
+  fbxTree,
+} from '../support/made-fbx.mjs';
 import { BLUE, oneColor, RED } from '../support/painted.mjs';
 import {
   dropAndWait,
@@ -19,22 +26,17 @@ import {
 } from './page.mjs';
 
 const { properties } = fbxParts;
-const VERTICES = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
-const QUADS = [
-  [0, 2, 3, 1],
-  [4, 5, 7, 6],
-  [0, 1, 5, 4],
-  [2, 6, 7, 3],
-  [0, 4, 6, 2],
-  [1, 3, 7, 5],
-];
 const cell = (i) => [
   [i / 6, 0],
   [(i + 1) / 6, 0],
   [(i + 1) / 6, 1],
   [i / 6, 1],
 ];
-const BOX = { vertices: VERTICES, faces: QUADS, uv: [QUADS.flatMap((_, i) => cell(i))] };
+const BOX = {
+  vertices: CUBE_VERTICES,
+  faces: CUBE_QUADS,
+  uv: [CUBE_QUADS.flatMap((_, i) => cell(i))],
+};
 
 /** Two boxes and a camera, one painted by an embedded image, one by a file. */
 const tree = () =>
@@ -120,7 +122,7 @@ test('an archive with an FBX, and its UVs as they are', async (t) => {
 
 test('an FBX and an OBJ share an atlas, as a GLB', async (t) => {
   const page = await openPage(t, { settles: false });
-  const obj = `${VERTICES.map((v) => `v ${v.join(' ')}`).join('\n')}\nf 1 2 4 3\n`;
+  const obj = `${CUBE_VERTICES.map((v) => `v ${v.join(' ')}`).join('\n')}\nf 1 2 4 3\n`;
   await dropFiles(page, { 'tank.fbx': asText(tree()), 'floor.obj': obj });
   await page.getByRole('button', { name: 'One atlas' }).click();
   await page.waitForFunction(() =>

@@ -262,13 +262,18 @@ async function unwrapPages(
   { pages, ...common }: Pick<UnwrapOptions, 'texelDensity' | 'onProgress'> & { pages: number },
 ): Promise<Omit<DocumentAtlas, 'texcoord'>[]> {
   if (things.length === 0) return [];
-  const laid = await layPages(things, pages, common, (meshes, more) => {
+  const partsOf = new Map<UnwrapResult, DocumentMesh['parts']>();
+  const results = await layPages(things, pages, common, async (meshes, more) => {
     const mesh = meshOf(meshes);
     const all = { ...optionsOfMesh(mesh), ...more, transfer: true, roundsForGltf: true };
-    return abflat.unwrap(neededFor(all, mesh), all);
+    const result = await abflat.unwrap(neededFor(all, mesh), all);
+    result.report.notes.unshift(...notesOf(mesh));
+    partsOf.set(result, mesh.parts);
+    return result;
   });
-  const atlases = laid.map(({ things: meshes, result }) => ({ mesh: meshOf(meshes), result }));
-  for (const { mesh, result } of atlases) result.report.notes.unshift(...notesOf(mesh));
-  atlases[0]?.result.report.notes.unshift(...pagesNote(pages, laid.length, 'meshes'));
-  return atlases.map(({ mesh, result }) => ({ parts: mesh.parts, result }));
+  results[0]?.report.notes.unshift(...pagesNote(pages, results.length, 'meshes'));
+  return results.map((result) => ({
+    parts: partsOf.get(result) as DocumentMesh['parts'],
+    result,
+  }));
 }

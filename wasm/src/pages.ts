@@ -34,12 +34,6 @@ export type PageOptions = Pick<
   'texelDensity' | 'seams' | 'seamEdges' | 'known' | 'onProgress'
 >;
 
-/** A page and its layout. */
-export interface Page<T> {
-  things: T[];
-  result: UnwrapResult;
-}
-
 type Lay<T> = (things: T[], options: PageOptions) => UnwrapResult | Promise<UnwrapResult>;
 
 interface LaidPage<T> {
@@ -50,13 +44,14 @@ interface LaidPage<T> {
 /**
  * Deals things to pages and lays these out at one texel density: the one that is given, or as much
  * as there is room for. None is empty: there are fewer if there are not enough things with a size.
+ * Resolves to the last layout of each page.
  */
 export async function layPages<T>(
   things: readonly Sized<T>[],
   pages: number,
   { texelDensity = 'auto', onProgress }: Pick<UnwrapOptions, 'texelDensity' | 'onProgress'>,
   lay: Lay<T>,
-): Promise<Page<T>[]> {
+): Promise<UnwrapResult[]> {
   const dealt = deal(things, pages);
   const isFixed = texelDensity !== 'auto' || dealt.length === 1;
   // Of the progress: where laying out ends, and where moving does.
@@ -78,10 +73,7 @@ export async function layPages<T>(
     await fillAlike(found, (i) => part(i, 2 * MOST_MOVES, laid, moved));
     await atOneDensity(found, (i) => part(i, found.length, moved, 1));
   }
-  return found.map(({ things: own, result }) => ({
-    things: own.map(({ thing }) => thing),
-    result,
-  }));
+  return found.map(({ result }) => result);
 }
 
 /** The largest first, each to the page with the least. On a page they keep their order. */

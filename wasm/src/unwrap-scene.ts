@@ -79,9 +79,9 @@ export interface UnwrappedMesh {
 
 /**
  * All visible meshes of an object and those below it in one atlas, or in several with `pages`, at
- * one texel density in world space. Meshes are apart even where they touch. Once everything has succeeded, meshes get new
- * geometries, with what unwrapGeometry keeps; those that shared one go on sharing one unless
- * `ownTexels` is set.
+ * one texel density in world space. Meshes are apart even where they touch. Once everything has
+ * succeeded, meshes get new geometries, with what unwrapGeometry keeps; those that shared one go on
+ * sharing one unless `ownTexels` is set.
  */
 export async function unwrapScene(
   abflat: AnyAbflat<'unwrap'>,
@@ -102,37 +102,34 @@ export async function unwrapScene(
       'EmptyMesh',
       'No visible mesh at or below the object has triangles to unwrap.',
     );
-  const unwrapMesh = async (
-    { parts, ...mesh }: SceneMesh,
-    more: PageOptions,
-    transfer: boolean,
-  ) => {
+  const partsOf = new Map<UnwrapResult, ScenePart[]>();
+  const lay = async ({ parts, ...mesh }: SceneMesh, more: PageOptions = {}) => {
     const densities = densitiesFor(parts);
     const all = { ...options, ...more };
-    return abflat.unwrap(neededFor(all, mesh), {
+    const found = await abflat.unwrap(neededFor(all, mesh), {
       ...all,
       ...(densities && { faceDensities: densities }),
-      transfer,
+      transfer: true,
     });
+    partsOf.set(found, parts);
+    return found;
   };
-  const laid =
+  const results =
     pages === undefined
-      ? [{ things: [subjects], result: await unwrapMesh(scene, {}, true) }]
+      ? [await lay(scene)]
       : await layPages(sizedOf(subjects, scene), pages, options, (each, more) =>
-          unwrapMesh(sceneMesh(each.flat(), readAttribute), more, true),
+          lay(sceneMesh(each.flat(), readAttribute), more),
         );
-  const results = laid.map((page) => page.result);
   const result = results[0] as UnwrapResult;
   result.report.notes.unshift(
     ...pagesNote(pages ?? 1, results.length, 'meshes'),
     ...sharingNotes(subjects, ownTexels),
   );
-  const meshes = laid.flatMap((each, page) => {
-    const { parts } = pages === undefined ? scene : sceneMesh(each.things.flat(), readAttribute);
-    return parts.flatMap((part) =>
-      unwrappedOf(part, page, withPartOf(each.result, part, attribute)),
-    );
-  });
+  const meshes = results.flatMap((each, page) =>
+    (partsOf.get(each) as ScenePart[]).flatMap((part) =>
+      unwrappedOf(part, page, withPartOf(each, part, attribute)),
+    ),
+  );
   if (assign) assignAll(meshes, attribute);
   return { results, result, meshes };
 }
