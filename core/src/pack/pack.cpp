@@ -9,6 +9,7 @@
 #include "base/invalid.h"
 #include "base/number_text.h"
 #include "base/stopwatch.h"
+#include "pack/check_packing.h"
 #include "pack/level_pose.h"
 #include "pack/strategies.h"
 #include "pack/tidy_search.h"
@@ -16,7 +17,6 @@
 namespace abflat {
 namespace {
 
-constexpr int kMostResolution = 32768;
 /// UDIM rows of ten, from 1001 to 9999.
 constexpr std::uint32_t kMostTiles = 8999;
 constexpr double kLastRow = 898;  // that has all ten
@@ -59,41 +59,9 @@ std::string choiceOf(const std::vector<std::string>& ways) {
   return out;
 }
 
-Status checkOptions(const PackOptions& o) {
-  if (o.resolution.shorter() < 1 || o.resolution.longer() > kMostResolution)
-    return invalid("the resolution is " + atlasSizeText(o.resolution) + "; it must be from 1 to " +
-                   text(kMostResolution) + " texels");
-  if (o.padding < 0) return invalid("the padding is " + text(o.padding) + "; it must be 0 or more");
-  if (o.margin < 0 && o.margin != kAutoMargin)
-    return invalid("the margin is " + text(o.margin) + "; it must be 0 or more");
-  const auto noRoom = [&](const std::string& what, int texels) {
-    return invalid("a " + what + " of " + text(texels) + " texels leaves no room in a tile of " +
-                   atlasSizeText(o.resolution) + ". Lower the " + what +
-                   " or raise the resolution");
-  };
-  const bool isAuto = o.margin == kAutoMargin;
-  const int side = o.resolution.shorter();
-  if (o.padding >= side || (isAuto && 2 * marginOf(o) >= side)) return noRoom("padding", o.padding);
-  if (2 * marginOf(o) >= side) return noRoom("margin", o.margin);
-  if (!(o.texelDensity >= 0) || !std::isfinite(o.texelDensity))
-    return invalid("the texel density must be a finite number, 0 or above");
-  return {};
-}
-
-Status checkShapes(const std::vector<PackShape>& shapes) {
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    for (const double x : shapes[i].uv)
-      if (!std::isfinite(x))
-        return {StatusCode::InvalidMesh, "chart " + text(i) +
-                                             " has a coordinate that is not finite. Flatten the "
-                                             "charts before packing them"};
-  return {};
-}
-
 /// A size of about the same shape.
 AtlasSize withWidth(double width, const AtlasSize& size) {
-  return {static_cast<int>(std::ceil(width)),
-          static_cast<int>(std::ceil(width * (1 / size.aspect())))};
+  return {static_cast<int>(std::ceil(width)), static_cast<int>(std::ceil(width / size.aspect()))};
 }
 
 /// The smallest tile of that shape that holds so many single texels with their padding and margin;
@@ -128,8 +96,8 @@ class Packer {
 
   Result<Packing> run(std::vector<PackShape> shapes) {
     Stopwatch watch;
-    if (Status s = checkOptions(options_); !s.ok()) return s;
-    if (Status s = checkShapes(shapes); !s.ok()) return s;
+    if (Status s = checkPackOptions(options_); !s.ok()) return s;
+    if (Status s = checkPackShapes(shapes); !s.ok()) return s;
     takeShapes(std::move(shapes));
     if (Status s = begin(); !s.ok()) return s;
     if (Status s = options_.texelDensity > 0 ? placeAtDensity() : placeAsLarge(); !s.ok()) return s;

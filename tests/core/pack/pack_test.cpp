@@ -7,6 +7,7 @@
 
 #include "catch.h"
 #include "pack/level_pose.h"
+#include "pack/packing.h"
 #include "pack/shapes.h"
 #include "pack/texels.h"
 #include "support/instrumented.h"
@@ -15,13 +16,6 @@ using namespace abflat;
 using namespace abflat::test;
 
 namespace {
-
-PackOptions at(const AtlasSize& resolution, int padding) {
-  PackOptions options;
-  options.resolution = resolution;
-  options.padding = padding;
-  return options;
-}
 
 PackShape rectangle(double width, double height) {
   PackShape s;
@@ -34,24 +28,6 @@ PackShape rectangle(double width, double height) {
 PackShape scaled(PackShape shape, double by) {
   for (double& x : shape.uv) x *= by;
   return shape;
-}
-
-Packing packed(const std::vector<PackShape>& shapes, const PackOptions& options) {
-  const Result<Packing> result = pack(shapes, options);
-  INFO(result.status().message);
-  REQUIRE(result.ok());
-  REQUIRE(result.value().placements.size() == shapes.size());
-  return result.value();
-}
-
-void checkPacked(const std::vector<PackShape>& shapes, const PackOptions& options) {
-  const Packing packing = packed(shapes, options);
-  CHECK(complaint(shapes, packing, options) == "");
-  CHECK(complaint(shapes, packing, options, true) == "");
-  for (const Placement& p : packing.placements)
-    CHECK(std::hypot(p.a, p.b) == Approx(packing.scale).epsilon(1e-13));
-  CHECK(packing.utilization > 0);
-  CHECK(packing.utilization < 1);
 }
 
 void checkBoundOfWork(std::size_t count) {
@@ -91,52 +67,6 @@ TEST_CASE("no texel has two charts, and padding lies between them", "[pack]") {
         checkPacked(makePackShapes(kind, count, 10, static_cast<unsigned>(count)),
                     at(resolution, padding));
       }
-}
-
-TEST_CASE("a tile may be wide or high: texels are square, and padding lies between charts") {
-  const char* const kind = GENERATE("mixed", "stars", "letters", "needles");
-  for (const std::size_t count : {1, 3, 30})
-    for (const AtlasSize size : {AtlasSize(200, 100), AtlasSize(100, 200), AtlasSize(257, 101),
-                                 AtlasSize(1024, 32), AtlasSize(32, 1024)})
-      for (const int padding : {0, 2, 5}) {
-        CAPTURE(kind, count, size.width, size.height, padding);
-        checkPacked(makePackShapes(kind, count, 10, static_cast<unsigned>(count)),
-                    at(size, padding));
-      }
-}
-
-TEST_CASE("a wide tile and a high one are filled alike, and about as well as a square") {
-  for (const char* const kind : {"mixed", "letters"})
-    for (const std::size_t count : {12, 60}) {
-      CAPTURE(kind, count);
-      const std::vector<PackShape> shapes = makePackShapes(kind, count, 10, 4);
-      const double wide = packed(shapes, at({512, 256}, 2)).utilization;
-      const double high = packed(shapes, at({256, 512}, 2)).utilization;
-      const double square = packed(shapes, at(362, 2)).utilization;
-      // A few long letters leave little choice.
-      const double least = count < 60 ? 0.7 : 0.9;
-      CHECK(wide > least * square);
-      CHECK(high > least * square);
-    }
-}
-
-TEST_CASE("several tiles may be wide, and a chart too large for them names a size that fits") {
-  const std::vector<PackShape> shapes = makePackShapes("mixed", 30, 10, 4);
-  PackOptions options = at({256, 128}, 2);
-  options.udim = true;
-  const Packing one = packed(shapes, at({256, 128}, 2));
-  options.texelDensity = 1.5 * one.texelDensity;
-  CHECK(packed(shapes, options).tiles > 1);
-  checkPacked(shapes, options);
-  options.texelDensity = 100 * one.texelDensity;
-  const Result<Packing> tight = pack(shapes, options);
-  CHECK(tight.status().code == StatusCode::AtlasTooSmall);
-  CHECK(tight.status().message.find("a tile of 256 x 128 texels") != std::string::npos);
-  options = at({16, 64}, 8);
-  const Result<Packing> crowded = pack(makePackShapes("mixed", 60, 10, 4), options);
-  CHECK(crowded.status().code == StatusCode::AtlasTooSmall);
-  CHECK(crowded.status().message.find("Raise the resolution to ") != std::string::npos);
-  CHECK(pack(shapes, at({64, 8}, 8)).status().code == StatusCode::InvalidOption);
 }
 
 TEST_CASE("the margin at the edge of the tile is as asked, whatever the padding", "[pack]") {
