@@ -25,16 +25,21 @@ bool isAsked(const FlatChart& flat, Rectify how) {
 }
 
 /// How many edges of the outline would come too near others, so that the chart would be cut there.
+/// None of one that is many tiles long, which packing refuses or makes much smaller.
 std::size_t nearEdges(const DiskChart& chart, const std::vector<double>& unpacked, double density,
-                      int padding) {
+                      const UnwrapOptions& options) {
+  const double most = 16.0 * options.resolution.longer();
+  const Point2 first = pointAt(unpacked, chart.vertexOfCorner[chart.boundary.front()]);
   PlacedOutline outline;
   for (const ChartCorner h : chart.boundary) {
     const ChartVertex v = chart.vertexOfCorner[h];
-    for (const double x : pointAt(unpacked, v)) outline.uv.push_back(density * x);
+    const Point2 at = pointAt(unpacked, v);
+    if (!(density * norm(at[0] - first[0], at[1] - first[1]) <= most)) return 0;
+    for (const double x : at) outline.uv.push_back(density * x);
     for (std::size_t d = 0; d < 3; ++d)
       outline.positions.push_back(density * chart.unit * chart.positions[3 * std::size_t{v} + d]);
   }
-  return findNearParts(outline, padding).edges.size();
+  return findNearParts(outline, options.padding).edges.size();
 }
 
 /// Whether the chart takes the places that its outline would have.
@@ -47,8 +52,8 @@ bool take(const DiskChart& chart, std::vector<double> places, double gain,
   const bool isWorth =
       stretchOf(distortion, kNoLeeway, options) <= options.maxStretch && more <= kWorth * gain;
   if (options.rectify == Rectify::Auto && !isWorth) return false;
-  if (nearEdges(chart, places, density, options.padding) >
-      nearEdges(chart, flat.unpacked, density, options.padding))
+  if (nearEdges(chart, places, density, options) >
+      nearEdges(chart, flat.unpacked, density, options))
     return false;
   flat.unpacked = std::move(places);
   flat.distortion = distortion;
