@@ -373,12 +373,12 @@ test('preset: what is set holds, the rest is for light maps', async () => {
   const settings = async (options) => {
     const sphere = new THREE.SphereGeometry(1, 8, 6);
     const { geometry, result } = await unwrapGeometry(abflat, sphere, options);
-    const { rotate, padding } = result.report.options;
-    return [geometry.attributes.uv1 !== undefined, rotate, padding];
+    const { rotate, padding, snapToTexels } = result.report.options;
+    return [geometry.attributes.uv1 !== undefined, rotate, padding, snapToTexels];
   };
-  assert.deepEqual(await settings({}), [false, 'auto', 2]);
-  assert.deepEqual(await settings({ preset: 'lightmap' }), [true, 'quarter', 5]);
-  assert.deepEqual(await settings({ preset: 'lightmap', mipLevels: 3 }), [true, 'quarter', 23]);
-  const own = { attribute: 'uv', rotate: 'none', padding: 9 };
-  assert.deepEqual(await settings({ preset: 'lightmap', ...own }), [false, 'none', 9]);
+  assert.deepEqual(await settings({}), [false, 'auto', 2, false]);
+  assert.deepEqual(await settings({ preset: 'lightmap' }), [true, 'quarter', 5, true]);
+  assert.deepEqual(await settings({ preset: 'lightmap', mipLevels: 3 }), [true, 'quarter', 23, true]);
+  const own = { attribute: 'uv', rotate: 'none', padding: 9, snapToTexels: false };
+  assert.deepEqual(await settings({ preset: 'lightmap', ...own }), [false, 'none', 9, false]);
 });

@@ -10,8 +10,8 @@ export type Preset = 'lightmap';
 export interface PresetOptions {
   /**
    * `lightmap`: for images that are computed texel by texel and read through mip levels. Charts are
-   * turned by quarter turns only, and so far apart that two free texels are between them in each of
-   * `mipLevels`.
+   * turned by quarter turns only, have the sides of their boxes on borders of texels, and are so far
+   * apart that two free texels are between them in each of `mipLevels`.
    */
   preset?: Preset;
   /**
@@ -26,9 +26,9 @@ const MOST_LEVELS = 6;
 const invalid = (message: string) => new AbflatError('InvalidOption', message);
 
 /** The options with what their preset sets, where they do not say otherwise. */
-export function withPreset<T extends PresetOptions & Pick<UnwrapOptions, 'padding' | 'rotate'>>(
-  options: T,
-): Omit<T, keyof PresetOptions> {
+export function withPreset<
+  T extends PresetOptions & Pick<UnwrapOptions, 'padding' | 'rotate' | 'snapToTexels'>,
+>(options: T): Omit<T, keyof PresetOptions> {
   const own = ownFields(options);
   const { preset, mipLevels, ...others } = own;
   if (preset !== undefined && preset !== 'lightmap')
@@ -37,12 +37,12 @@ export function withPreset<T extends PresetOptions & Pick<UnwrapOptions, 'paddin
     if (mipLevels === undefined) return others;
     throw invalid("mipLevels belongs to preset: 'lightmap'. Without a preset, set padding.");
   }
-  const { padding = paddingFor(mipLevels ?? 1), rotate = 'quarter' } = own;
+  const { padding = paddingFor(mipLevels ?? 1), rotate = 'quarter', snapToTexels = true } = own;
   if (mipLevels !== undefined && own.padding !== undefined)
     throw invalid(
       'padding and mipLevels both say how far charts are apart. Leave one of them out.',
     );
-  return { ...others, padding, rotate };
+  return { ...others, padding, rotate, snapToTexels };
 }
 
 /** A texel of a level may begin anywhere in the gap, so two whole ones need room for nearly three. */

@@ -58,7 +58,7 @@ void countIslands(const MeshLayout& layout, PackReport& report) {
 double stackGrowth(const Packing& packing, std::size_t stack) {
   if (stack >= packing.placements.size()) return packing.scale;
   const Placement& p = packing.placements[stack];
-  return (p.a * p.a + p.b * p.b) * p.aspect;
+  return (p.a * p.a + p.b * p.b) * p.stretchU * p.stretchV * p.aspect;
 }
 
 void measureScale(const MeshLayout& layout, const Packing& packing,

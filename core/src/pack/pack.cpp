@@ -169,6 +169,7 @@ class Packer {
       item.poses = Poses(isFree ? leastBoxPose(hull) : level.pose, poses, hull);
       if (isFree) item.poses.addFirst(level.pose, hull);
       if (options_.rotate == Rotate::Auto && level.isStraight) item.poses.hold();
+      if (options_.snapToTexels && level.isLevel) item.poses.snap();
     });
   }
 
@@ -342,16 +343,23 @@ class Packer {
     for (std::size_t k = 0; k < items_.size(); ++k) {
       const Spot& spot = placed_.spots[k];
       Placement& p = out.placements[movable_[k]];
-      area += items_[k].mass.area * out.scale * out.scale * aspect;
-      if (items_[k].loops.points.empty()) continue;
+      const double ownArea = items_[k].mass.area * out.scale * out.scale * aspect;
+      if (items_[k].loops.points.empty()) {
+        area += ownArea;
+        continue;
+      }
       const Pose pose = items_[k].poses[spot.pose];
+      const PlanePoint scale = texelScale(grid_, pose, density_);
       const PlanePoint origin = texelOrigin(grid_, pose, density_, spot.cell.x, spot.cell.y);
       p = {out.scale * pose.cos,
            out.scale * pose.sin,
            origin.x / width,
            origin.y / width,
            spot.tile,
-           aspect};
+           aspect,
+           scale.x / density_,
+           scale.y / density_};
+      area += ownArea * p.stretchU * p.stretchV;
     }
     out.utilization = area / out.tiles;
     return out;

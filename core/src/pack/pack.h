@@ -37,6 +37,7 @@ struct PackOptions {
   bool fixedMayLeave = false;    ///< fixed shapes may be outside of tiles
   double unit = 1;               ///< length in the mesh's unit of a length of 1 in the charts
   bool udim = false;             ///< with a density: as many tiles as needed, not one
+  bool snapToTexels = false;     ///< the box of each level chart has its sides on texel borders
   /// Once all charts have a place, better ones are searched for until this many rows of texels (or
   /// larger cells) have been looked at, over all charts in all poses; 0: until no better one is
   /// found.
@@ -62,19 +63,21 @@ PackOptions packOptionsOf(const Options& options) {
   out.rotate = options.rotate;
   out.texelDensity = options.texelDensity;
   out.udim = options.udim;
+  out.snapToTexels = options.snapToTexels;
   return out;
 }
 
-/// Where a chart goes: (u, v) -> (a u - b v + x, aspect (b u + a v + y)), inside the unit square of
-/// its tile. a and b are the scale times cosine and sine.
+/// Where a chart goes: (u, v) -> (stretchU (a u - b v) + x, aspect (stretchV (b u + a v) + y)),
+/// inside the unit square of its tile. a and b are the scale times cosine and sine.
 struct Placement {
   double a = 1, b = 0;
   double x = 0, y = 0;
   std::uint32_t tile = 0;
-  double aspect = 1;  ///< of the tile; see AtlasSize
+  double aspect = 1;                  ///< of the tile; see AtlasSize
+  double stretchU = 1, stretchV = 1;  ///< to whole texels
 
-  double u(const double* uv) const { return a * uv[0] - b * uv[1] + x; }
-  double v(const double* uv) const { return (b * uv[0] + a * uv[1] + y) * aspect; }
+  double u(const double* uv) const { return stretchU * (a * uv[0] - b * uv[1]) + x; }
+  double v(const double* uv) const { return (stretchV * (b * uv[0] + a * uv[1]) + y) * aspect; }
   /// Position of the tile in the plane of all tiles: rows of ten, as in UDIM 1001 + tile.
   double column() const { return tile % 10; }
   double row() const { return (tile - tile % 10) / 10.0; }

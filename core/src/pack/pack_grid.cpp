@@ -27,6 +27,7 @@ PackGrid makePackGrid(const PackOptions& options, std::size_t shapes) {
   grid.padding = options.padding;
   grid.margin = marginOf(options);
   grid.slack = options.resolution.longer() * kSlackShare;
+  grid.snaps = options.snapToTexels;
   const double side = resolution / std::sqrt(static_cast<double>(std::max<std::size_t>(shapes, 1)));
   const int cell = std::clamp(static_cast<int>(side / kCellsOfShape),
                               divideUp(resolution, kMostCells), divideUp(resolution, kLeastCells));
@@ -41,26 +42,41 @@ double cellsOf(const PackGrid& grid, double texels) {
   return std::floor((texels + (kMargin + 1) * grid.slack) / grid.cell) + 1;
 }
 
+PlanePoint texelScale(const PackGrid& grid, const Pose& pose, double texelsPerUnit) {
+  if (!pose.snaps) return {texelsPerUnit, texelsPerUnit};
+  const auto along = [&](double length) {
+    constexpr double kLeast = 2;
+    const double texels = std::round(length * texelsPerUnit);
+    // Margins at both ends keep it off the texels beside it.
+    return texels < kLeast ? texelsPerUnit : (texels - 2 * kMargin * grid.slack) / length;
+  };
+  return {along(pose.width), along(pose.height)};
+}
+
 PlanePoint margins(const PackGrid& grid, const Pose& pose, double texelsPerUnit) {
   const double first = kMargin * grid.slack;
-  const auto last = [&](double length) {
-    return cellsOf(grid, length * texelsPerUnit) * grid.cell - length * texelsPerUnit - first;
+  const PlanePoint scale = texelScale(grid, pose, texelsPerUnit);
+  const auto last = [&](double texels) {
+    return cellsOf(grid, texels) * grid.cell - texels - first;
   };
   const bool isTurnedX = pose.quarter == 1 || pose.quarter == 2;
-  return {isTurnedX ? last(pose.width) : first, pose.quarter >= 2 ? last(pose.height) : first};
+  return {isTurnedX ? last(pose.width * scale.x) : first,
+          pose.quarter >= 2 ? last(pose.height * scale.y) : first};
 }
 
 PlanePoint texelOrigin(const PackGrid& grid, const Pose& pose, double texelsPerUnit, int cellX,
                        int cellY) {
   const PlanePoint margin = margins(grid, pose, texelsPerUnit);
-  return {cellX * grid.cell + grid.margin + margin.x - pose.minX * texelsPerUnit,
-          cellY * grid.cell + grid.margin + margin.y - pose.minY * texelsPerUnit};
+  const PlanePoint scale = texelScale(grid, pose, texelsPerUnit);
+  return {cellX * grid.cell + grid.margin + margin.x - pose.minX * scale.x,
+          cellY * grid.cell + grid.margin + margin.y - pose.minY * scale.y};
 }
 
 const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double texelsPerUnit,
                                   int padding) {
   const double cell = grid_.cell;
-  const double scale = texelsPerUnit / cell;
+  const PlanePoint texels = texelScale(grid_, pose, texelsPerUnit);
+  const PlanePoint scale{texels.x / cell, texels.y / cell};
   const int begin = padding > 0 ? shift() : 0;
   const PlanePoint margin = margins(grid_, pose, texelsPerUnit);
   const PlanePoint from{margin.x / cell + begin, margin.y / cell + begin};
@@ -69,13 +85,13 @@ const BitGrid& PackRaster::raster(const Loops& loops, const Pose& pose, double t
   moved_.points.resize(loops.points.size());
   for (std::size_t k = 0; k < moved_.points.size(); ++k) {
     const PlanePoint p = pose.rotated(loops.points[k]);
-    moved_.points[k] = {(p.x - pose.minX) * scale + from.x, (p.y - pose.minY) * scale + from.y};
+    moved_.points[k] = {(p.x - pose.minX) * scale.x + from.x, (p.y - pose.minY) * scale.y + from.y};
   }
   const auto cells = [&](double length, double before) {
     const double more = before - kMargin * grid_.slack;
-    return begin + static_cast<int>(cellsOf(grid_, length * texelsPerUnit + (padding + more)));
+    return begin + static_cast<int>(cellsOf(grid_, length + (padding + more)));
   };
-  bits_.reset(cells(pose.width, margin.x), cells(pose.height, margin.y));
+  bits_.reset(cells(pose.width * texels.x, margin.x), cells(pose.height * texels.y, margin.y));
   // Boxes of half-size `slack + padding` around the points of an edge touch exactly the texels
   // within `padding` texels of one that the edge touches.
   cover_.cover(moved_, (grid_.slack + padding) / cell, bits_);

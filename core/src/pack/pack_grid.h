@@ -11,8 +11,9 @@ struct PackGrid {
   AtlasSize resolution;
   int padding = 0;
   int margin = 0;
-  int cell = 1;      ///< side of a cell
-  double slack = 0;  ///< covers the effect of rounding on coordinates
+  int cell = 1;        ///< side of a cell
+  double slack = 0;    ///< covers the effect of rounding on coordinates
+  bool snaps = false;  ///< some poses do
 
   int columns() const { return (resolution.width - 2 * margin) / cell; }
   int rows() const { return (resolution.height - 2 * margin) / cell; }
@@ -27,6 +28,15 @@ PackGrid makePackGrid(const PackOptions& options, std::size_t shapes);
 
 /// How many cells a length takes.
 double cellsOf(const PackGrid& grid, double texels);
+
+/// Texels per unit along u and v. Where sides lie on borders of texels the shape is stretched, or
+/// compressed, to the nearest whole number of texels.
+PlanePoint texelScale(const PackGrid& grid, const Pose& pose, double texelsPerUnit);
+
+/// At most this longer is a side that lies on borders of texels.
+constexpr double kMostSnapped = 0.5;
+/// At least this share of its length is left.
+constexpr double kLeastSnapped = 0.75;
 
 /// Left and lower margins of a shape in its first cell, in texels. If quarter turns share the
 /// cells, the rest of the last cell is added to them.

@@ -80,7 +80,8 @@ class Placer {
 
   /// No run of a footprint is longer.
   int longestRun(double side) const {
-    const double cells = cellsOf(grid_, side * options_.texelsPerUnit);
+    const double more = grid_.snaps ? kMostSnapped : 0;
+    const double cells = cellsOf(grid_, side * options_.texelsPerUnit + more);
     return static_cast<int>(std::min<double>(cells, grid_.columns()));
   }
 
@@ -89,10 +90,11 @@ class Placer {
   int leastRun(const PackItem& item) const {
     if (item.loops.points.empty()) return grid_.columns();
     constexpr double kAlmostAll = 0.999;
+    const double left = grid_.snaps ? kLeastSnapped * kLeastSnapped : 1;
     const double scale = options_.texelsPerUnit / grid_.cell;
     const double rows = longestRun(longestSide(item));
     return static_cast<int>(std::min<double>(
-        std::ceil(kAlmostAll * item.mass.area * scale * scale / rows), grid_.columns()));
+        std::ceil(kAlmostAll * left * item.mass.area * scale * scale / rows), grid_.columns()));
   }
 
   bool isPosed() const { return !strategy_.poses.empty(); }
@@ -144,8 +146,8 @@ class Placer {
   bool findIn(std::uint32_t t, std::uint32_t i, Spot& spot) {
     FreeMap& tile = tiles_[t];
     const PackItem& item = items_[i];
-    const double scale = options_.texelsPerUnit, cell = grid_.cell;
-    const double area = item.mass.area * (scale / cell) * (scale / cell);
+    const double cell = grid_.cell, perUnit = options_.texelsPerUnit / cell;
+    const double area = item.mass.area * perUnit * perUnit;
     const double dearness = strategy_.tidiness * std::sqrt(area);
     const std::size_t count = isPosed() ? 1 : strategy_.turns.size();
     double lowest = 2.0 * tile.height();
@@ -153,10 +155,11 @@ class Placer {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t p = isPosed() ? strategy_.poses[i] : item.poses.kept(strategy_.turns[k]);
       const Pose pose = item.poses[p];
-      const double width = cellsOf(grid_, pose.width * scale);
-      const double height = cellsOf(grid_, pose.height * scale);
+      const PlanePoint scale = texelScale(grid_, pose, options_.texelsPerUnit);
+      const double width = cellsOf(grid_, pose.width * scale.x);
+      const double height = cellsOf(grid_, pose.height * scale.y);
       if (width > tile.width() || height > tile.height()) continue;
-      const double center = (pose.rotated(item.mass.center).y - pose.minY) * scale / cell;
+      const double center = (pose.rotated(item.mass.center).y - pose.minY) * scale.y / cell;
       const double above = rounded(center + dearness * untidiness(item, p));
       const int end = std::min(static_cast<int>(std::ceil(lowest - above)), tile.height());
       int& begin = begins_[t].of(width, height, area, 4 * p / item.poses.size());
@@ -221,7 +224,8 @@ class Placer {
   /// The first row above the item.
   int topOf(std::uint32_t i, const Spot& spot) const {
     if (!spot.cell.isFound()) return 0;
-    const double height = items_[i].poses[spot.pose].height * options_.texelsPerUnit;
+    const Pose pose = items_[i].poses[spot.pose];
+    const double height = pose.height * texelScale(grid_, pose, options_.texelsPerUnit).y;
     return spot.cell.y + static_cast<int>(cellsOf(grid_, height));
   }
 

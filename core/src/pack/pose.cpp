@@ -32,6 +32,7 @@ Pose quarterTurned(const Pose& pose) {
   out.width = pose.height;
   out.height = pose.width;
   out.quarter = pose.quarter + 1;
+  out.snaps = pose.snaps;
   return out;
 }
 

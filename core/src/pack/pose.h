@@ -11,7 +11,8 @@ struct Pose {
   double cos = 1, sin = 0;
   double minX = 0, minY = 0;
   double width = 0, height = 0;
-  int quarter = 0;  ///< quarter turns from the pose whose cells it shares
+  int quarter = 0;     ///< quarter turns from the pose whose cells it shares
+  bool snaps = false;  ///< the sides of the box lie on borders of texels
 
   PlanePoint rotated(PlanePoint p) const { return {cos * p.x - sin * p.y, sin * p.x + cos * p.y}; }
 };
@@ -28,6 +29,9 @@ class Poses {
 
   /// Adds the quarter turns of a pose; in each quarter it comes first.
   void addFirst(const Pose& pose, const std::vector<PlanePoint>& hull);
+
+  /// Lets the sides of the first pose of each quarter lie on borders of texels.
+  void snap() { first_[0].snaps = true; }
 
   /// Keeps only the first pose of each quarter; the others stand for it.
   void hold() { isHeld_ = true; }

@@ -61,6 +61,7 @@ class UnwrapOptions(TypedDict, total=False):
     margin: Union[int, Literal["auto"]]
     texel_density: Union[float, Literal["auto"]]
     udim: bool
+    snap_to_texels: bool
     packing_cuts: Literal["auto", "never"]
     min_utilization: Union[float, Literal["auto"]]
     up: Literal["auto", "y", "z"]
@@ -87,6 +88,7 @@ UNWRAP_OPTIONS: dict[str, OptionInfo] = {
     "margin": OptionInfo("margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between charts and the edge of their tile (auto = half the padding, rounded up)"),
     "texel_density": OptionInfo("texelDensity", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)"),
     "udim": OptionInfo("udim", False, "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10"),
+    "snap_to_texels": OptionInfo("snapToTexels", False, "", "stretch level charts to whole texels, so that their sides lie on borders of texels"),
     "packing_cuts": OptionInfo("packingCuts", "auto", "auto, never", "whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole"),
     "min_utilization": OptionInfo("minUtilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, like packingCuts = never; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)"),
     "up": OptionInfo("up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright, and a face is looked for at the sides: auto = z in STL files, y in all others; y = the y axis; z = the z axis"),
@@ -105,6 +107,7 @@ class PackOptions(TypedDict, total=False):
     margin: Union[int, Literal["auto"]]
     texel_density: Union[float, Literal["auto"]]
     udim: bool
+    snap_to_texels: bool
     rotate: Literal["auto", "free", "quarter", "none"]
     island_sizes: Literal["keep", "even"]
     keep_places: bool
@@ -117,6 +120,7 @@ PACK_OPTIONS: dict[str, OptionInfo] = {
     "margin": OptionInfo("margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between islands and the edge of their tile (auto = half the padding, rounded up)"),
     "texel_density": OptionInfo("texelDensity", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)"),
     "udim": OptionInfo("udim", False, "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10"),
+    "snap_to_texels": OptionInfo("snapToTexels", False, "", "stretch level islands to whole texels, so that their sides lie on borders of texels"),
     "rotate": OptionInfo("rotate", "auto", "auto, free, quarter, none", "how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all"),
     "island_sizes": OptionInfo("islandSizes", "keep", "keep, even", "how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale"),
     "keep_places": OptionInfo("keepPlaces", False, "", "islands stay where they are, and the layout is only judged; of the other options only resolution and udim count then"),

@@ -185,7 +185,7 @@ bool packMesh(const std::uint8_t* bytes, std::size_t size) {
     forEachCorner(packed, [&](std::uint32_t, std::uint32_t c) {
       expect(packed.before(c) == packed.after(c), "what is to stay stays where it is");
     });
-  if (options.precision == Precision::Double)
+  if (options.precision == Precision::Double && !options.snapToTexels)
     expectShapes(packed, options.resolution, options.islandSizes == IslandSizes::Keep);
   if (report.valid) expectPlaces(packed);
   if (report.unmapped == 0 && options.precision != Precision::Gltf)

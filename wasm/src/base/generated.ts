@@ -127,6 +127,7 @@ export interface UnwrapOptionValues {
   margin: number | 'auto';
   texelDensity: number | 'auto';
   udim: boolean;
+  snapToTexels: boolean;
   packingCuts: PackingCuts;
   minUtilization: number | 'auto';
   up: Up;
@@ -153,6 +154,7 @@ export const UNWRAP_DEFAULTS: Readonly<UnwrapOptionValues> & { readonly resoluti
   margin: 'auto',
   texelDensity: 'auto',
   udim: false,
+  snapToTexels: false,
   packingCuts: 'auto',
   minUtilization: 'auto',
   up: 'auto',
@@ -180,6 +182,7 @@ export const UNWRAP_OPTIONS = {
   margin: { type: 'integer', default: 'auto', atLeast: 0, atMost: 256, words: { auto: -1 }, text: 'free texels between charts and the edge of their tile (auto = half the padding, rounded up)', range: 'at least 0 and at most 256, whole, or auto' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
+  snapToTexels: { type: 'boolean', default: false, text: 'stretch level charts to whole texels, so that their sides lie on borders of texels', range: '' },
   packingCuts: { type: 'choice', default: 'auto', choices: ['auto', 'never'], text: 'whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole', range: 'auto, never' },
   minUtilization: { type: 'number', default: 'auto', atLeast: 0, atMost: 1, words: { auto: -1 }, text: 'share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, like packingCuts = never; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)', range: 'at least 0 and at most 1, or auto' },
   up: { type: 'choice', default: 'auto', choices: ['auto', 'y', 'z'], text: 'which axis of the mesh points up: charts that stand are laid out upright, and a face is looked for at the sides: auto = z in STL files, y in all others; y = the y axis; z = the z axis', range: 'auto, y, z' },
@@ -198,6 +201,7 @@ export interface PackOptionValues {
   margin: number | 'auto';
   texelDensity: number | 'auto';
   udim: boolean;
+  snapToTexels: boolean;
   rotate: Rotate;
   islandSizes: IslandSizes;
   keepPlaces: boolean;
@@ -210,6 +214,7 @@ export const PACK_DEFAULTS: Readonly<PackOptionValues> & { readonly resolution: 
   margin: 'auto',
   texelDensity: 'auto',
   udim: false,
+  snapToTexels: false,
   rotate: 'auto',
   islandSizes: 'keep',
   keepPlaces: false,
@@ -223,6 +228,7 @@ export const PACK_OPTIONS = {
   margin: { type: 'integer', default: 'auto', atLeast: 0, atMost: 256, words: { auto: -1 }, text: 'free texels between islands and the edge of their tile (auto = half the padding, rounded up)', range: 'at least 0 and at most 256, whole, or auto' },
   texelDensity: { type: 'number', default: 'auto', above: 0, words: { auto: 0 }, text: 'texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)', range: 'above 0, or auto' },
   udim: { type: 'boolean', default: false, text: 'use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10', range: '' },
+  snapToTexels: { type: 'boolean', default: false, text: 'stretch level islands to whole texels, so that their sides lie on borders of texels', range: '' },
   rotate: { type: 'choice', default: 'auto', choices: ['auto', 'free', 'quarter', 'none'], text: 'how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all', range: 'auto, free, quarter, none' },
   islandSizes: { type: 'choice', default: 'keep', choices: ['keep', 'even'], text: 'how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale', range: 'keep, even' },
   keepPlaces: { type: 'boolean', default: false, text: 'islands stay where they are, and the layout is only judged; of the other options only resolution and udim count then', range: '' },

@@ -39,6 +39,8 @@ struct PackOptionValues {
   double texelDensity = 0;
   /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
   bool udim = false;
+  /// stretch level islands to whole texels, so that their sides lie on borders of texels
+  bool snapToTexels = false;
   /// how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
   Rotate rotate = Rotate::Auto;
   /// how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale
@@ -56,12 +58,13 @@ inline OptionInfos optionInfos(const PackOptionValues&) {
     {"margin", "--margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between islands and the edge of their tile (auto = half the padding, rounded up)", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
+    {"snapToTexels", "--snap-to-texels", "false", "", "stretch level islands to whole texels, so that their sides lie on borders of texels", true, false},
     {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
     {"islandSizes", "--island-sizes", "keep", "keep, even", "how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale", false, true},
     {"keepPlaces", "--keep-places", "false", "", "islands stay where they are, and the layout is only judged; of the other options only resolution and udim count then", true, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 9};
+  return {kInfos, 10};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -92,18 +95,22 @@ inline bool setOption(PackOptionValues& options, int index, double value,
       options.udim = value != 0;
       return true;
     case 5:
+      if (!(value == 0 || value == 1)) return false;
+      options.snapToTexels = value != 0;
+      return true;
+    case 6:
       if (!(value >= 0 && value < 4 && value == std::trunc(value))) return false;
       options.rotate = static_cast<Rotate>(static_cast<int>(value));
       return true;
-    case 6:
+    case 7:
       if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
       options.islandSizes = static_cast<IslandSizes>(static_cast<int>(value));
       return true;
-    case 7:
+    case 8:
       if (!(value == 0 || value == 1)) return false;
       options.keepPlaces = value != 0;
       return true;
-    case 8:
+    case 9:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -116,12 +123,12 @@ inline double wordValue(const PackOptionValues&, int index, std::string_view tex
   if (index == 0) return atlasSizeValue(text, found);
   if (index == 2 && text == "auto") return found = true, -1;
   if (index == 3 && text == "auto") return found = true, 0;
-  if (index == 5 && text == "auto") return found = true, 0;
-  if (index == 5 && text == "free") return found = true, 1;
-  if (index == 5 && text == "quarter") return found = true, 2;
-  if (index == 5 && text == "none") return found = true, 3;
-  if (index == 6 && text == "keep") return found = true, 0;
-  if (index == 6 && text == "even") return found = true, 1;
+  if (index == 6 && text == "auto") return found = true, 0;
+  if (index == 6 && text == "free") return found = true, 1;
+  if (index == 6 && text == "quarter") return found = true, 2;
+  if (index == 6 && text == "none") return found = true, 3;
+  if (index == 7 && text == "keep") return found = true, 0;
+  if (index == 7 && text == "even") return found = true, 1;
   return found = false, 0;
 }
 
@@ -146,6 +153,7 @@ void forEachOption(const PackOptionValues& options, Visit&& visit) {
   else
     visit("texelDensity", options.texelDensity);
   visit("udim", options.udim);
+  visit("snapToTexels", options.snapToTexels);
   visit("rotate", nameOf(options.rotate));
   visit("islandSizes", nameOf(options.islandSizes));
   visit("keepPlaces", options.keepPlaces);

@@ -203,6 +203,8 @@ struct UnwrapOptionValues {
   double texelDensity = 0;
   /// use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10
   bool udim = false;
+  /// stretch level charts to whole texels, so that their sides lie on borders of texels
+  bool snapToTexels = false;
   /// whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole
   PackingCuts packingCuts = PackingCuts::Auto;
   /// share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, like packingCuts = never; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)
@@ -237,6 +239,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"margin", "--margin", "auto", "at least 0 and at most 256, whole, or auto", "free texels between charts and the edge of their tile (auto = half the padding, rounded up)", false, false},
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
+    {"snapToTexels", "--snap-to-texels", "false", "", "stretch level charts to whole texels, so that their sides lie on borders of texels", true, false},
     {"packingCuts", "--packing-cuts", "auto", "auto, never", "whether charts may be cut so that all pack tighter: auto = where that gains enough texels, see minUtilization; never = every chart stays whole", false, true},
     {"minUtilization", "--min-utilization", "auto", "at least 0 and at most 1, or auto", "share of the tile that charts should cover: charts are cut until they do, or until cutting stops helping, and then a note says why (0 = leave charts whole, like packingCuts = never; auto = cut long charts across, and others along creases, where that gains at least 5 % texels per unit for each of the first four cuts, 1.5 % per further cut, and 4 % per seam in plain sight as long as the square root of the surface area)", false, false},
     {"up", "--up", "auto", "auto, y, z", "which axis of the mesh points up: charts that stand are laid out upright, and a face is looked for at the sides: auto = z in STL files, y in all others; y = the y axis; z = the z axis", false, true},
@@ -245,7 +248,7 @@ inline OptionInfos optionInfos(const UnwrapOptionValues&) {
     {"memory", "--memory", "auto", "above 0, or auto", "memory for the factor of the solver's matrix, in MB; if it does not fit, the solver uses single precision, or conjugate gradients with multigrid (auto = 3072 in WebAssembly, no limit natively)", false, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
   };
-  return {kInfos, 23};
+  return {kInfos, 24};
 }
 
 /// Sets an option from a number: choices by their index, booleans as 0 or 1. False when out of range, with nothing set. Without `isWord`
@@ -320,30 +323,34 @@ inline bool setOption(UnwrapOptionValues& options, int index, double value,
       options.udim = value != 0;
       return true;
     case 16:
+      if (!(value == 0 || value == 1)) return false;
+      options.snapToTexels = value != 0;
+      return true;
+    case 17:
       if (!(value >= 0 && value < 2 && value == std::trunc(value))) return false;
       options.packingCuts = static_cast<PackingCuts>(static_cast<int>(value));
       return true;
-    case 17:
+    case 18:
       if (!((value >= 0 && value <= 1) || (isWord && value == -1))) return false;
       options.minUtilization = static_cast<double>(value);
       return true;
-    case 18:
+    case 19:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.up = static_cast<Up>(static_cast<int>(value));
       return true;
-    case 19:
+    case 20:
       if (!(value >= 0 && value < 4 && value == std::trunc(value))) return false;
       options.rotate = static_cast<Rotate>(static_cast<int>(value));
       return true;
-    case 20:
+    case 21:
       if (!(value >= 0 && value < 3 && value == std::trunc(value))) return false;
       options.stack = static_cast<Stack>(static_cast<int>(value));
       return true;
-    case 21:
+    case 22:
       if (!((value > 0 && value <= std::numeric_limits<double>::max()) || (isWord && value == 0))) return false;
       options.memory = static_cast<double>(value);
       return true;
-    case 22:
+    case 23:
       if (!((value >= 0 && value <= 256) && value == std::trunc(value))) return false;
       options.threads = static_cast<int>(value);
       return true;
@@ -369,29 +376,29 @@ inline double wordValue(const UnwrapOptionValues&, int index, std::string_view t
   if (index == 11) return atlasSizeValue(text, found);
   if (index == 13 && text == "auto") return found = true, -1;
   if (index == 14 && text == "auto") return found = true, 0;
-  if (index == 16 && text == "auto") return found = true, 0;
-  if (index == 16 && text == "never") return found = true, 1;
-  if (index == 17 && text == "auto") return found = true, -1;
-  if (index == 18 && text == "auto") return found = true, 0;
-  if (index == 18 && text == "y") return found = true, 1;
-  if (index == 18 && text == "z") return found = true, 2;
+  if (index == 17 && text == "auto") return found = true, 0;
+  if (index == 17 && text == "never") return found = true, 1;
+  if (index == 18 && text == "auto") return found = true, -1;
   if (index == 19 && text == "auto") return found = true, 0;
-  if (index == 19 && text == "free") return found = true, 1;
-  if (index == 19 && text == "quarter") return found = true, 2;
-  if (index == 19 && text == "none") return found = true, 3;
-  if (index == 20 && text == "none") return found = true, 0;
-  if (index == 20 && text == "identical") return found = true, 1;
-  if (index == 20 && text == "mirrored") return found = true, 2;
-  if (index == 21 && text == "auto") return found = true, 0;
+  if (index == 19 && text == "y") return found = true, 1;
+  if (index == 19 && text == "z") return found = true, 2;
+  if (index == 20 && text == "auto") return found = true, 0;
+  if (index == 20 && text == "free") return found = true, 1;
+  if (index == 20 && text == "quarter") return found = true, 2;
+  if (index == 20 && text == "none") return found = true, 3;
+  if (index == 21 && text == "none") return found = true, 0;
+  if (index == 21 && text == "identical") return found = true, 1;
+  if (index == 21 && text == "mirrored") return found = true, 2;
+  if (index == 22 && text == "auto") return found = true, 0;
   return found = false, 0;
 }
 
 /// The size of a unit written behind a number ("3G") in the unit of the option; 0 when there is none of that name.
 inline double unitSize(const UnwrapOptionValues&, [[maybe_unused]] int index,
                        [[maybe_unused]] char letter) {
-  if (index == 21 && letter == 'M') return 1;
-  if (index == 21 && letter == 'G') return 1024;
-  if (index == 21 && letter == 'T') return 1048576;
+  if (index == 22 && letter == 'M') return 1;
+  if (index == 22 && letter == 'G') return 1024;
+  if (index == 22 && letter == 'T') return 1048576;
   return 0;
 }
 
@@ -426,6 +433,7 @@ void forEachOption(const UnwrapOptionValues& options, Visit&& visit) {
   else
     visit("texelDensity", options.texelDensity);
   visit("udim", options.udim);
+  visit("snapToTexels", options.snapToTexels);
   visit("packingCuts", nameOf(options.packingCuts));
   if (options.minUtilization == -1)
     visit("minUtilization", "auto");
