@@ -152,9 +152,11 @@ export function mingled(triangles) {
 
 /**
  * What is wrong with triangles `{ object, places, uv }`, corners in the order in which they are seen
- * from outside, v upwards: sentences.
+ * from outside, v upwards: sentences. `snapToTexels`: charts are stretched a little.
  */
-export function complaintsAbout(triangles, { resolution, padding, texelDensity }) {
+export function complaintsAbout(triangles, wanted) {
+  const { resolution, padding, texelDensity, snapToTexels = false } = wanted;
+  const leeway = snapToTexels ? 0.03 : 0.01;
   const isThin = ({ places }) => areaInSpace(places) < 1e-12;
   const { flipped, flat, outside, overlaps } = judge(
     triangles.map(({ uv }) => uv),
@@ -166,7 +168,7 @@ export function complaintsAbout(triangles, { resolution, padding, texelDensity }
   const shared = mingled(triangles);
   if (shared.length > 0) found.push(`objects share charts: ${shared}`);
   for (const [object, density] of densitiesOf(triangles, resolution))
-    if (!(Math.abs(density / texelDensity - 1) < 0.01))
+    if (!(Math.abs(density / texelDensity - 1) < leeway))
       found.push(`${object} has ${density} texels per unit, not ${texelDensity}`);
   const gap = leastGap(triangles, resolution, padding);
   if (gap < padding) found.push(`charts are ${gap} texels apart, not ${padding}`);

@@ -56,7 +56,7 @@ for (const [pages, resolution] of [
       assert.ok(report.valid);
       assert.equal(report.atlas.tiles, 1);
       assert.equal(report.atlas.texelDensity, texelDensity);
-      const wanted = { resolution, padding: 5, texelDensity };
+      const wanted = { resolution, padding: 5, texelDensity, snapToTexels: true };
       assert.deepEqual(complaintsAbout(triangles, wanted), [], `page ${page}`);
     }
     const shares = results.map(({ report }) => report.atlas.utilization);

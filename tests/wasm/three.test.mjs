@@ -378,7 +378,12 @@ test('preset: what is set holds, the rest is for light maps', async () => {
   };
   assert.deepEqual(await settings({}), [false, 'auto', 2, false]);
   assert.deepEqual(await settings({ preset: 'lightmap' }), [true, 'quarter', 5, true]);
-  assert.deepEqual(await settings({ preset: 'lightmap', mipLevels: 3 }), [true, 'quarter', 23, true]);
+  assert.deepEqual(await settings({ preset: 'lightmap', mipLevels: 3 }), [
+    true,
+    'quarter',
+    23,
+    true,
+  ]);
   const own = { attribute: 'uv', rotate: 'none', padding: 9, snapToTexels: false };
   assert.deepEqual(await settings({ preset: 'lightmap', ...own }), [false, 'none', 9, false]);
 });
