@@ -205,6 +205,16 @@ test('what reads materials is loaded only for files that may have some', async (
   }
 });
 
+test('colours of vertices are found where a file begins', async () => {
+  const { hasColors } = await load('files/has-look');
+  const has = (name, content) => hasColors(new File([content], name));
+  assert.ok(await has('a.obj', '# made here\nv 0 0 0 1 0 0\nf 1 1 1'));
+  assert.ok(!(await has('a.obj', 'v 0 0 0\nusemtl wood\nf 1 1 1')));
+  assert.ok(await has('a.PLY', 'ply\nelement vertex 1\nproperty float diffuse_red\n'));
+  assert.ok(!(await has('a.ply', 'ply\nelement vertex 1\nproperty float x\n')));
+  assert.ok(!(await has('a.off', 'v 0 0 0 1 0 0')));
+});
+
 test('images share their memory', async () => {
   const { sideFor } = await load('files/look-images');
   assert.equal(sideFor(1, 2 ** 27), 2048);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { densityOf, FACES, isNear, shownDensity as shown, TILES } from './density-page.mjs';
 import { atlas, middleOf, pixelOf } from './layout.mjs';
-import { openPage, reload, settled, textOf } from './page.mjs';
+import { metrics, openPage, reload, settled, textOf } from './page.mjs';
 
 /** Selects the chart of the face that is now at this place. */
 async function select(page, { uv }, face) {
@@ -34,7 +34,7 @@ test('a density is set, kept when all is packed anew, by other options and after
   await select(page, before, 0);
   assert.equal(await shown(page), '1');
   await setDensity(page, '2');
-  assert.match(await textOf(page, '#run-text'), /^Density of island \d+: 2, checked in/);
+  assert.match(await textOf(page, '#run-text'), /^Set density 2 on island \d+(, checked)? in/);
   assert.equal(await shown(page), '2');
   isNear(densityOf(await atlas(page), 0), 2);
   await packAgain(page);
@@ -83,25 +83,100 @@ test('an island that is scaled keeps its size beside the others, until densities
   await page.click('#selection-arrange');
   await page.locator('#arrange-menu [data-value=evened]').click();
   await settled(page);
+  assert.match(await textOf(page, '#run-text'), /^Evened out island \d+ in .*; repacked, /);
+  assert.equal(await textOf(page, '#badge'), 'Valid');
   assert.equal(await shown(page), '1');
-  await packAgain(page);
   isNear(densityOf(await atlas(page), FACES), 1);
 });
 
-test('an island that grows beyond the tile and over others is said to do both, and one click packs it', async (t) => {
+test('where the density of an island leaves too little room, all are packed at once, as one step', async (t) => {
   const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
   const before = await atlas(page);
   await select(page, before, 0);
   await setDensity(page, '2.5');
+  assert.match(
+    await textOf(page, '#run-text'),
+    /^Set density 2\.5 on island \d+ in .*; repacked, because there was too little room$/,
+  );
+  assert.equal(await textOf(page, '#badge'), 'Valid');
+  assert.equal(await shown(page), '2.5');
+  const packed = await atlas(page);
+  isNear(densityOf(packed, 0), 2.5);
+  assert.deepEqual(packed.ofFace, before.ofFace, 'the same islands');
+  await page.click('#undo');
+  await settled(page);
+  assert.deepEqual(await atlas(page), before);
+  assert.ok(await page.isDisabled('#undo'));
+  await page.click('#redo');
+  await settled(page);
+  assert.deepEqual(await atlas(page), packed);
+  // What is moved by hand from there stays where it is put.
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('s');
+  await page.keyboard.type('.5');
+  await page.keyboard.press('Enter');
+  await settled(page);
+  const scaled = await atlas(page);
+  isNear(densityOf(scaled, 0), 1.25);
+  assert.deepEqual(scaled.uv.slice(FACES), packed.uv.slice(FACES));
+});
+
+test('a locked island stays where a density packs the others', async (t) => {
+  const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
+  const before = await atlas(page);
+  await select(page, before, 2 * FACES);
+  const [, locked] = /^Island (\d+):/.exec(await textOf(page, '#selection-text'));
+  await page.click('#details-toggle');
+  await page.click(`.lock[data-chart="${locked}"]`);
+  await page.click('#details-toggle');
+  await select(page, before, 0);
+  await setDensity(page, '2.5');
+  assert.match(await textOf(page, '#run-text'), /; repacked, because there was too little room$/);
+  const packed = await atlas(page);
+  assert.deepEqual(packed.uv.slice(2 * FACES), before.uv.slice(2 * FACES));
+  isNear(densityOf(packed, 0) / densityOf(packed, FACES), 2.5);
+  assert.doesNotMatch(await textOf(page, '#badge'), /Not valid/);
+});
+
+test('an island that is scaled by hand stays where it is put, and one click packs it', async (t) => {
+  const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
+  const before = await atlas(page);
+  await select(page, before, 0);
+  await page.focus('#layout-canvas');
+  await page.keyboard.press('s');
+  await page.keyboard.type('2.5');
+  await page.keyboard.press('Enter');
+  await settled(page);
   assert.equal(await textOf(page, '#reason'), '1 island outside its tile, 2 islands overlap');
   assert.equal(await textOf(page, '#remedy'), 'Repack');
+  // A density does not undo what was put there on purpose.
+  await setDensity(page, '2.4');
+  assert.equal(await textOf(page, '#remedy'), 'Repack');
+  assert.match(await textOf(page, '#run-text'), /^Set density 2\.4 on island \d+, checked in/);
   await page.click('#remedy');
   await settled(page);
   assert.match(await textOf(page, '#run-text'), /^Repacked in/);
   assert.equal(await textOf(page, '#badge'), 'Valid');
   const packed = await atlas(page);
-  isNear(densityOf(packed, 0), 2.5);
+  isNear(densityOf(packed, 0), 2.4);
   assert.deepEqual(packed.ofFace, before.ofFace, 'the same islands');
+});
+
+test('where there is no room for a density at all, the island has it and the badge says so', async (t) => {
+  const page = await openPage(t, { mode: 'unwrap', open: ['tiles.obj', TILES] });
+  const most = Math.floor(Number((await metrics(page))['Texels per unit']));
+  await page.click('#more-toggle');
+  await page.fill('#more-texel-density', String(most));
+  await page.press('#more-texel-density', 'Enter');
+  await settled(page);
+  await page.click('#more-toggle');
+  await select(page, await atlas(page), 0);
+  await setDensity(page, '2.5');
+  assert.match(await textOf(page, '#run-text'), /^Set density 2\.5 on island .*, not valid$/);
+  isNear(densityOf(await atlas(page), 0), 2.5);
+  await page.click('#remedy');
+  await settled(page);
+  assert.match(await textOf(page, '#alert'), /the islands do not fit one tile/);
 });
 
 test('what is no density is not taken, and Escape takes back what is typed', async (t) => {

@@ -1,10 +1,12 @@
-// The job on one row, and nothing cut off, in a usual window.
+// The job on one row, and nothing cut off, in a usual window; on a phone, its end in sight.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { oneColor, RED } from '../support/painted.mjs';
 import { CUBE_OF_PARTS } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
-import { choose, dropAndWait, metrics, openPage, settled, textOf } from './page.mjs';
+import { oneTexture, texturedCube, texturedGlb } from '../support/textured.mjs';
+import { choose, dropAndWait, exportMesh, metrics, openPage, settled, textOf } from './page.mjs';
 
 const WINDOW = { viewport: { width: 1440, height: 900 } };
 
@@ -81,3 +83,55 @@ test('a reason is whole, however long it is', async (t) => {
     );
   }
 });
+
+/** Buttons that a finger does not reach or that something covers, of those that end a job. */
+const outOfReach = (page) =>
+  page.evaluate(() =>
+    ['undo', 'redo', 'texcoord', 'export', 'export-formats']
+      .map((id) => document.getElementById(id))
+      .filter((button) => button.checkVisibility())
+      .filter((button) => {
+        const { x, y, width, height, right } = button.getBoundingClientRect();
+        const there = document.elementFromPoint(x + width / 2, y + height / 2);
+        const isFree = there !== null && button.contains(there);
+        const isCut = button.scrollWidth > button.clientWidth + 1;
+        return !isFree || isCut || x < 0 || right > innerWidth || Math.min(width, height) < 40;
+      })
+      .map(({ id }) => id),
+  );
+
+for (const [width, height] of [
+  [390, 844],
+  [360, 740],
+])
+  test(`on a phone, Export and Undo are in sight wherever the page is scrolled, ${width} wide`, async (t) => {
+    const page = await openPage(t, { viewport: { width, height }, hasTouch: true });
+    const check = async (what) => {
+      for (const share of [0, 0.5, 1]) {
+        await page.evaluate((share) => scrollTo(0, share * document.body.scrollHeight), share);
+        assert.deepEqual(await outOfReach(page), [], `${what}, scrolled by ${share}`);
+      }
+      const across = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      assert.ok(across <= 0, what);
+    };
+    await check('a first visit');
+    await dropAndWait(page, 'torus.obj', objText(torus(24, 12)));
+    await check('an OBJ');
+    await dropAndWait(page, 'cube.glb', texturedGlb([texturedCube()], oneTexture(oneColor(RED))));
+    assert.ok(await page.isVisible('#texcoord'));
+    await check('a choice of UV sets');
+    await page.tap('#export-formats');
+    await page.getByRole('menuitemcheckbox', { name: 'Bake textures' }).tap();
+    await page.getByRole('menuitemradio', { name: 'OBJ' }).evaluate((item) => item.click());
+    await page.waitForFunction(() =>
+      /^Exported/.test(document.querySelector('#run-text').textContent),
+    );
+    assert.equal(await textOf(page, '#export'), 'Export baked OBJ (zip)');
+    await check('a long label');
+    // A selection has its bar at the foot.
+    await page.focus('#layout-canvas');
+    await page.keyboard.press('a');
+    assert.ok(await page.isVisible('#selection'));
+    await check('a selection');
+    assert.equal((await exportMesh(page)).name, 'cube-uv.zip');
+  });

@@ -137,7 +137,7 @@ test('an object has a density, and a material another one', async (t) => {
   await density('chair').fill('2');
   await density('chair').press('Enter');
   await settled(page);
-  assert.match(await textOf(page, '#run-text'), /^Density of .*: 2, checked in/);
+  assert.match(await textOf(page, '#run-text'), /^Set density 2 on .* in /);
   await shows('chair', '2');
   await shows('table', '1');
   await shows('wood', '');

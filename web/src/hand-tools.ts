@@ -55,7 +55,7 @@ export class HandTools {
         events.pinned(what);
       },
       placing: () => document.body.setAttribute('aria-busy', 'true'),
-      placed: (outcome, what) => controls.place(outcome, what),
+      placed: (outcome, what, mayRepack) => controls.place(outcome, what, mayRepack),
       notPlaced: (error, why = '') => {
         if (error) showAlert(MOVING.failed(error.message));
         events.notPlaced(why);

@@ -134,10 +134,11 @@ export class LayoutControls {
   }
 
   /** Charts were moved. Those of an atlas keep their densities when they are packed anew. */
-  place(outcome: Arrangeable, what: string): void {
+  place(outcome: Arrangeable, what: string, mayRepack: boolean): void {
     if (outcome.mode === 'pack') this.packing.give(outcome.given);
     else {
-      this.placed = outcome.result;
+      const { result } = outcome;
+      this.placed = mayRepack ? { ...result, mayRepack } : result;
       this.faceDensities = outcome.settings.faceDensities;
     }
     this.events.changed(what);

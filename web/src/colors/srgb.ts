@@ -2,6 +2,10 @@
 export const srgbOf = (linear: number) =>
   linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
 
+/** The inverse, from 0 to 1. */
+export const linearOf = (srgb: number) =>
+  srgb <= 0.04045 ? srgb / 12.92 : ((srgb + 0.055) / 1.055) ** 2.4;
+
 /** Of a linear value from 0 to 1, as a byte; values outside are clamped. */
 export const srgbByte = (linear: number) =>
   Math.round(255 * srgbOf(Math.min(1, Math.max(0, linear))));

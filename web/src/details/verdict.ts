@@ -1,6 +1,6 @@
 import type { Report, UnwrapReport } from 'abflat';
 import type { ChartAreas } from '../mesh/chart-areas';
-import { isOutside, isOverlapping } from '../model/misplaced';
+import { isMisplaced, isOutside, isOverlapping } from '../model/misplaced';
 import type { Outcome, Unwrapped } from '../model/model';
 import type { UnwrapSettings } from '../model/settings';
 import { stackedCharts } from '../model/stacks';
@@ -136,15 +136,6 @@ export const isAutomatic = (seams: string) => seams.split(',').includes('auto');
 function above(stretch: number, limit: number): string {
   const digits = [2, 3, 4, 5].find((digits) => Number(stretch.toFixed(digits)) > limit);
   return stretch.toFixed(digits ?? 6);
-}
-
-/** Whether nothing is wrong but where charts are, and packing moves one of them. */
-function isMisplaced({ charts }: UnwrapReport): boolean {
-  const bad = charts.filter(({ valid }) => !valid);
-  return (
-    bad.every(({ problem }) => isOutside(problem) || isOverlapping(problem)) &&
-    bad.some(({ solver, fixed }) => fixed && solver === 'known')
-  );
 }
 
 /** Why charts are not valid: how many of each kind. One may be of two kinds. */

@@ -1,9 +1,11 @@
 import '../css/baking.css';
 import { create, element } from '../base/dom';
+import { hasColors } from '../files/has-look';
 import { isOneTile } from '../model/bake-settings';
-import { type ImageSide, isBakeable } from '../model/baking';
+import { type Bakeable, bakedFormats, type ImageSide, isBakeable } from '../model/baking';
 import type { Outcome } from '../model/model';
 import { BAKE_CHOICE } from '../words/baking';
+import type { ExportFormat } from '../words/generated-formats';
 
 const SIDES: ImageSide[] = ['auto', 1024, 2048, 4096, 8192];
 
@@ -14,6 +16,11 @@ export class BakeChoice {
   private readonly what = create('small', 'bake-what');
   private readonly sizes = create('div', 'bake-sizes');
   private side: ImageSide = 'auto';
+  private outcome: Outcome | null = null;
+  /** The outcome, if it has anything to bake. */
+  private offered: Bakeable | null = null;
+  /** Of files that were looked at, whether their vertices have colours. */
+  private readonly colored = new WeakMap<File, boolean>();
 
   constructor(private readonly changed: () => void) {
     this.item.id = 'bake';
@@ -30,12 +37,16 @@ export class BakeChoice {
   }
 
   show(outcome: Outcome | null): void {
-    const isOffered = isBakeable(outcome);
-    this.item.hidden = !isOffered;
-    this.item.disabled = !isOffered || !isOneTile(outcome);
+    this.outcome = outcome;
+    const file = outcome?.source.kind === 'file' ? outcome.source.file : null;
+    if (file && !this.colored.has(file)) void this.look(file);
+    const isColored = file !== null && Boolean(this.colored.get(file));
+    this.offered = isBakeable(outcome, isColored) ? outcome : null;
+    this.item.hidden = this.offered === null;
+    this.item.disabled = this.offered === null || !isOneTile(this.offered);
     this.button.disabled = this.item.disabled;
     this.what.textContent =
-      isOffered && this.item.disabled ? BAKE_CHOICE.oneTile : BAKE_CHOICE.what;
+      this.offered && this.item.disabled ? BAKE_CHOICE.oneTile : BAKE_CHOICE.what;
     this.update();
   }
 
@@ -47,6 +58,18 @@ export class BakeChoice {
 
   get imageSide(): ImageSide | null {
     return this.isOn && !this.item.disabled ? this.side : null;
+  }
+
+  /** What gets new images. */
+  get formats(): ExportFormat[] {
+    return this.offered && this.imageSide !== null ? bakedFormats(this.offered) : [];
+  }
+
+  private async look(file: File): Promise<void> {
+    this.colored.set(file, false);
+    // What cannot be read any more has no colours.
+    this.colored.set(file, await hasColors(file).catch(() => false));
+    this.show(this.outcome);
   }
 
   private get isOn(): boolean {

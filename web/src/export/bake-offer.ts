@@ -1,5 +1,5 @@
 import { loadPart, reasonOf } from '../base/load-part';
-import { bakedFormats, type ImageSide, isBakeable } from '../model/baking';
+import type { ImageSide } from '../model/baking';
 import type { Outcome } from '../model/model';
 import type { ExportFormat } from '../words/generated-formats';
 import type { BakeChoice } from './bake-choice';
@@ -10,7 +10,7 @@ export interface BakeOfferEvents {
   say(text: string): void;
 }
 
-/** Offers to bake where there are textures; how is loaded with the first of them. */
+/** Offers to bake where there are textures or colours; what tells is loaded with the first file. */
 export class BakeOffer {
   private choice: BakeChoice | null = null;
   private outcome: Outcome | null = null;
@@ -21,7 +21,7 @@ export class BakeOffer {
   show(outcome: Outcome | null): void {
     this.outcome = outcome;
     if (this.choice) this.choice.show(outcome);
-    else if (isBakeable(outcome)) void this.load();
+    else if (outcome?.source.kind === 'file') void this.load();
   }
 
   /** Nothing is wanted any more: another mesh is open. */
@@ -36,7 +36,7 @@ export class BakeOffer {
 
   /** What gets new images. */
   get formats(): ExportFormat[] {
-    return this.imageSide !== null && isBakeable(this.outcome) ? bakedFormats(this.outcome) : [];
+    return this.choice?.formats ?? [];
   }
 
   private async load(): Promise<void> {

@@ -1,7 +1,7 @@
 import type { Abflat, MeshInput } from 'abflat';
 import { download } from '../base/download';
 import { exportedFile, exportFormatOf, meshFileOf } from '../base/mesh-files';
-import { type Bakeable, bakedFormats, type ImageSide, isBakeable } from '../model/baking';
+import { type Bakeable, bakedFormats, type ImageSide } from '../model/baking';
 import type { Outcome } from '../model/model';
 import { writeAgain } from '../session/write-again';
 import { BAKING } from '../words/baking';
@@ -30,9 +30,9 @@ export interface Writers {
   progress(fraction: number, what: string): void;
 }
 
-/** Whether it gets new images. */
+/** Whether it gets new images, which are wanted only where there can be some. */
 const isBaked = ({ outcome, format, imageSide }: Omit<ExportRequest, 'texcoord'>) =>
-  imageSide !== null && isBakeable(outcome) && bakedFormats(outcome).includes(format);
+  imageSide !== null && outcome.mode !== 'flatten' && bakedFormats(outcome).includes(format);
 
 /** What was done, for people. */
 export interface Exported {
@@ -63,7 +63,7 @@ interface Output {
 
 async function write(request: ExportRequest, name: string, writers: Writers): Promise<Output> {
   const { outcome, format, texcoord, imageSide } = request;
-  if (imageSide !== null && isBakeable(outcome) && isBaked(request))
+  if (imageSide !== null && outcome.mode !== 'flatten' && isBaked(request))
     return bake(outcome, imageSide, await objFor(request, name, writers), writers);
   const own = format === 'glb' ? undefined : outcome.result[format];
   if (own) return { file: own, remarks: [] };

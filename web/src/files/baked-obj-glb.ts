@@ -1,6 +1,7 @@
 // A baked OBJ as a GLB, whose materials have one image for each of glTF's maps.
 
 import type { Material, vec3, vec4 } from '@gltf-transform/core';
+import { linearOf } from '../colors/srgb';
 import { BAKED_OBJ } from '../words/baked-obj';
 import type { BakedGltf } from './baked-gltf';
 import { glbOf } from './gltf-source';
@@ -82,16 +83,14 @@ function setNumbers(material: Material, lines: MtlLine[], slots: GltfMaterial['s
   const [roughness = 1] = numbersOf('Pr');
   const [metallic = 0] = numbersOf('Pm');
   const [red = 0, green = red, blue = red] = numbersOf('Ke');
-  const colour = has('baseColor') ? [1, 1, 1] : diffuse.map(linear);
+  const colour = has('baseColor') ? [1, 1, 1] : diffuse.map(linearOf);
   material.setBaseColorFactor([...colour, opacity] as vec4);
   material.setRoughnessFactor(has('metallicRoughness') ? 1 : roughness);
   material.setMetallicFactor(has('metallicRoughness') ? 1 : metallic);
   material.setEmissiveFactor(
-    has('emissive') ? [1, 1, 1] : ([red, green, blue].map(linear) as vec3),
+    has('emissive') ? [1, 1, 1] : ([red, green, blue].map(linearOf) as vec3),
   );
   material.setNormalScale(has('normal')?.map.strength ?? 1);
 }
 
 const PLAIN = { diffuse: [1, 1, 1], opacity: 1 };
-
-const linear = (x: number) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);

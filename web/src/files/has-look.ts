@@ -7,15 +7,25 @@ const GLTF_COLOR = /"(COLOR_0|(baseColor|diffuse)(Texture|Factor))"/;
 const PLY_COLOR = /^property\s+\w+\s+(red|diffuse_red|r)\s*$/m;
 /** "v x y z r g b" */
 const COLORED_VERTEX = /^v(?:[ \t]+[-+.\deE]+){6}[ \t]*(?:#|\r?$)/m;
+/** Bytes that a file begins with. */
+const BEGINNING = 1 << 16;
 
 /** Whether a file may have more than a shape: only then, what reads it is loaded. */
 export async function hasLook(file: File, gltf: GltfFiles | undefined): Promise<boolean> {
   if (gltf) return GLTF_COLOR.test(await jsonOf(gltf.file));
   const format = meshFileOf(file.name)?.format;
-  if (format === 'ply') return PLY_COLOR.test(await file.slice(0, 1 << 16).text());
+  if (format === 'ply') return hasColors(file);
   if (format !== 'obj') return false;
   const text = await file.text();
   return text.includes('usemtl') || COLORED_VERTEX.test(text);
+}
+
+/** Whether the first vertices of a PLY or an OBJ have colours. */
+export async function hasColors(file: File): Promise<boolean> {
+  const format = meshFileOf(file.name)?.format;
+  if (format !== 'ply' && format !== 'obj') return false;
+  const text = await file.slice(0, BEGINNING).text();
+  return (format === 'ply' ? PLY_COLOR : COLORED_VERTEX).test(text);
 }
 
 /** Of a GLB, its first chunk. */

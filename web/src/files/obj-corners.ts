@@ -23,21 +23,22 @@ export interface ObjCorners {
   colors: number[] | null;
 }
 
-/** A face before the first `usemtl` has the material without a name. */
+/** Nothing yet but the material without a name, which faces before the first `usemtl` have. */
+export const noCorners = (): ObjCorners => ({
+  offsets: [0],
+  vertices: [],
+  texcoordOf: [],
+  normalOf: [],
+  normals: [],
+  texcoords: [],
+  materials: [],
+  names: [''],
+  libraries: [],
+  colors: null,
+});
+
 export function readObjCorners(text: string): ObjCorners {
-  const found: ObjCorners = {
-    offsets: [0],
-    vertices: [],
-    texcoordOf: [],
-    normalOf: [],
-    normals: [],
-    texcoords: [],
-    materials: [],
-    names: [''],
-    libraries: [],
-    colors: null,
-  };
-  const state = { vertexCount: 0, material: 0, ...found };
+  const state = { vertexCount: 0, material: 0, ...noCorners() };
   for (const line of linesOf(text)) readLine(line, state);
   const { vertexCount, material: _, ...read } = state;
   if (read.colors) fillColors(read.colors, vertexCount);

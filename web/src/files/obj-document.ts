@@ -2,12 +2,14 @@
 
 import { Document, type Material, type Texture } from '@gltf-transform/core';
 import { KHRTextureTransform } from '@gltf-transform/extensions';
+import { linearOf } from '../colors/srgb';
 import type { DisplayMesh } from '../mesh/mesh';
 import { sourceCorners } from '../mesh/source-corners';
 import type { LayoutArrays } from '../model/model';
 import type { MapPlacement } from './mtl';
 import { NO_TEXCOORD, type ObjCorners } from './obj-corners';
 import { type Offset, originOf, relativeTo } from './origin';
+import type { VertexColors } from './vertex-colors';
 
 /** Where the textures of a layout's triangles were: as the OBJ has them, material by material. */
 export interface ObjShape {
@@ -23,12 +25,15 @@ interface ObjPart {
   positions: Float32Array<ArrayBuffer>;
   normals: Float32Array<ArrayBuffer> | null;
   texcoords: Float32Array<ArrayBuffer>;
+  /** Linear. */
+  colors: Float32Array<ArrayBuffer> | null;
   indices: Uint32Array<ArrayBuffer>;
 }
 
 /** The triangles are those of the layout: polygons may be cut in several ways. */
 export function objShape(
   obj: ObjCorners,
+  colors: VertexColors | null,
   mesh: DisplayMesh,
   { uv, indices, vertexMap }: Pick<LayoutArrays, 'uv' | 'indices' | 'vertexMap'>,
 ): ObjShape {
@@ -56,13 +61,14 @@ export function objShape(
     },
     offset,
     parts: own.map(([material, triangles]) =>
-      partOf(material, cornersOf(triangles), { obj, positions, vertices, corners }),
+      partOf(material, cornersOf(triangles), { obj, colors, positions, vertices, corners }),
     ),
   };
 }
 
 interface Sources {
   obj: ObjCorners;
+  colors: VertexColors | null;
   positions: Float32Array;
   vertices: Uint32Array;
   corners: Int32Array;
@@ -72,10 +78,10 @@ interface Sources {
 function partOf(
   material: number,
   of: number[],
-  { obj, positions, vertices, corners }: Sources,
+  { obj, colors, positions, vertices, corners }: Sources,
 ): ObjPart {
   const numbers = new Map<string, number>();
-  const [xyz, normals, texcoords]: number[][] = [[], [], []];
+  const [xyz, normals, texcoords, own]: number[][] = [[], [], [], []];
   const hasNormals = of.every((c) => obj.normalOf[corners[c] as number] !== undefined);
   const indices = of.map((c) => {
     const corner = corners[c] as number;
@@ -90,6 +96,7 @@ function partOf(
     xyz.push(...positions.subarray(3 * v, 3 * v + 3));
     texcoords.push(t < 0 ? 0 : obj.texcoords[2 * t], t < 0 ? 0 : 1 - obj.texcoords[2 * t + 1]);
     if (hasNormals) normals.push(...unit(obj.normals.slice(3 * n, 3 * n + 3)));
+    if (colors) own.push(...[0, 1, 2].map((d) => linearOr1(colors[3 * v + d])));
     return number;
   });
   return {
@@ -97,9 +104,14 @@ function partOf(
     positions: Float32Array.from(xyz),
     normals: hasNormals ? Float32Array.from(normals) : null,
     texcoords: Float32Array.from(texcoords),
+    colors: colors && Float32Array.from(own),
     indices: Uint32Array.from(indices),
   };
 }
+
+/** 1 where there is none, which changes no texture. */
+const linearOr1 = (color: number | undefined = Number.NaN) =>
+  Number.isFinite(color) ? linearOf(Math.min(1, Math.max(0, color))) : 1;
 
 function unit(normal: number[]): number[] {
   const length = Math.hypot(...normal);
@@ -116,7 +128,7 @@ export function documentOf(
   const buffer = document.createBuffer();
   const accessor = () => document.createAccessor().setBuffer(buffer);
   const mesh = document.createMesh(name);
-  for (const { material, positions, normals, texcoords, indices } of parts) {
+  for (const { material, positions, normals, texcoords, colors, indices } of parts) {
     const primitive = document
       .createPrimitive()
       .setAttribute('POSITION', accessor().setType('VEC3').setArray(positions))
@@ -124,6 +136,7 @@ export function documentOf(
       .setIndices(accessor().setArray(indices))
       .setMaterial(materialOf(document, material));
     if (normals) primitive.setAttribute('NORMAL', accessor().setType('VEC3').setArray(normals));
+    if (colors) primitive.setAttribute('COLOR_0', accessor().setType('VEC3').setArray(colors));
     mesh.addPrimitive(primitive);
   }
   const node = document.createNode(name).setMesh(mesh).setTranslation(offset);

@@ -1,5 +1,6 @@
-// The images that the materials of an OBJ use.
+// The images that the materials of an OBJ use, and the colours of its vertices or those of a PLY.
 
+import { meshFileOf } from '../base/mesh-files';
 import type { DisplayMesh } from '../mesh/mesh';
 import type { BakeSettings } from '../model/bake-settings';
 import type { LayoutArrays } from '../model/model';
@@ -7,9 +8,10 @@ import { BAKED_OBJ } from '../words/baked-obj';
 import { looksLikeNormals } from './image-channels';
 import { fileNamed, nameOf } from './missing-files';
 import { type MtlLine, type MtlMap, mtlLines } from './mtl-maps';
-import { readObjCorners } from './obj-corners';
+import { noCorners, type ObjCorners, readObjCorners } from './obj-corners';
 import { type ObjShape, objShape } from './obj-document';
 import { librariesOf } from './obj-look';
+import { plyColors, ranged, type VertexColors } from './vertex-colors';
 
 export interface ObjToBake {
   file: File;
@@ -41,15 +43,17 @@ export class ObjImages {
     private readonly others: File[],
   ) {}
 
-  static async read({ file, others, mesh, layout }: ObjToBake): Promise<ObjImages> {
-    const obj = readObjCorners(await file.text());
+  static async read({ file, others, mesh, layout, written }: ObjToBake): Promise<ObjImages> {
+    const { obj, colors } = await cornersIn(file);
     const libraries = obj.libraries.flatMap((line) => librariesOf(line, others));
     const files = libraries.map((path) => fileNamed(path, others));
     const texts = await Promise.all(
       files.filter((each) => each !== undefined).map((f) => f.text()),
     );
     const materials = mtlLines(texts, obj.names);
-    const found = new ObjImages(objShape(obj, mesh, layout), obj.names, materials, others);
+    // Images beside an OBJ are for a mesh that keeps its colours.
+    const shape = objShape(obj, written === null ? colors : null, mesh, layout);
+    const found = new ObjImages(shape, obj.names, materials, others);
     const missing = libraries.filter((_, i) => !files[i]).map(nameOf);
     if (missing.length > 0) found.notes.push(BAKED_OBJ.missing(missing));
     found.noteMaps();
@@ -95,4 +99,12 @@ export class ObjImages {
     if (unknown.length > 0)
       this.notes.push(BAKED_OBJ.unknown(once(unknown.map(({ keyword }) => keyword))));
   }
+}
+
+/** Of a PLY, colours alone are baked. */
+async function cornersIn(file: File): Promise<{ obj: ObjCorners; colors: VertexColors | null }> {
+  if (meshFileOf(file.name)?.format === 'ply')
+    return { obj: noCorners(), colors: plyColors(new Uint8Array(await file.arrayBuffer())) };
+  const obj = readObjCorners(await file.text());
+  return { obj, colors: obj.colors && ranged(obj.colors) };
 }

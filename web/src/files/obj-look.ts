@@ -6,6 +6,7 @@ import { fileNamed, nameOf } from './missing-files';
 import { type MtlMaterial, readMtl } from './mtl';
 import { NO_TEXCOORD, type ObjCorners, readObjCorners } from './obj-corners';
 import type { LookMesh, StoredImage, StoredLook } from './stored-look';
+import { ranged } from './vertex-colors';
 
 /** Null if the file has neither materials nor colours. */
 export async function readObjLook(
@@ -84,7 +85,7 @@ function cornersOf(
 ): CornerWriter {
   const corners = new CornerWriter(mesh.indices.length);
   const source = sourceCorners(mesh, obj);
-  const colors = rangedColors(obj.colors);
+  const colors = obj.colors && ranged(obj.colors);
   for (let c = 0; c < mesh.indices.length; ++c) {
     const triangle = Math.floor(c / 3);
     const material = obj.materials[mesh.faces ? mesh.faces[triangle] : triangle] ?? 0;
@@ -105,12 +106,6 @@ function placeOf(
   const { scale, offset } = mtl ?? { scale: [1, 1], offset: [0, 0] };
   const [u, v] = [texcoords[2 * t], texcoords[2 * t + 1]];
   return [scale[0] * u + offset[0], 1 - (scale[1] * v + offset[1])];
-}
-
-/** From 0 to 1; where any is above 1, they were from 0 to 255. */
-function rangedColors(colors: number[] | null): number[] | null {
-  if (!colors?.some((each) => each > 1)) return colors;
-  return colors.map((each) => each / 255);
 }
 
 /** An image replaces the material's colour: many programs write black or grey next to one. */

@@ -1,4 +1,4 @@
-// How the textures of a glTF follow its new layout.
+// What textures can follow a new layout, and colours become a texture.
 
 import { meshFileOf } from '../base/mesh-files';
 import type { ExportFormat } from '../words/generated-formats';
@@ -11,8 +11,9 @@ export type ImageSide = number | 'auto';
 /** A result of a mesh with textures, or colours of vertices, in another layout than theirs. */
 export type Bakeable = Unwrapped | Packed;
 
-export const isBakeable = (outcome: Outcome | null): outcome is Bakeable =>
-  Boolean(outcome?.gltf?.isPainted || (outcome && hasObjImages(outcome.source))) &&
+/** `isColored`: vertices of a PLY or an OBJ have colours. */
+export const isBakeable = (outcome: Outcome | null, isColored: boolean): outcome is Bakeable =>
+  Boolean(outcome && (outcome.gltf?.isPainted || isColored || hasObjImages(outcome.source))) &&
   outcome?.mode !== 'flatten' &&
   !(outcome?.mode === 'pack' && isAsInFile(outcome.settings));
 
@@ -24,5 +25,7 @@ function hasObjImages(source: Source): boolean {
 }
 
 /** What can hold the new images: a GLB, or an archive with an OBJ and its materials. */
-export const bakedFormats = ({ gltf }: Bakeable): ExportFormat[] =>
-  gltf ? ['glb', 'obj'] : ['obj', 'glb'];
+export function bakedFormats({ gltf, source }: Bakeable): ExportFormat[] {
+  if (gltf) return ['glb', 'obj'];
+  return hasObjImages(source) ? ['obj', 'glb'] : ['glb'];
+}

@@ -16,6 +16,8 @@ export type KnownAtlas = KnownLayout & Pick<UnwrapResult, 'uv' | 'seams'>;
 export interface Placed extends KnownAtlas {
   /** They are packed anew; otherwise they stay where they are. */
   repacks?: true;
+  /** They are packed anew if they do not fit where they are. */
+  mayRepack?: true;
 }
 
 /** Charts to keep where they are. */

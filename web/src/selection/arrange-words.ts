@@ -19,7 +19,7 @@ export function movedText(charts: ReadonlySet<number>, how: ArrangeName): string
     : MOVING.doneToSeveral(done, charts.size);
 }
 
-/** "Density of chart 3: 2" */
+/** "Set density 2 on chart 3" */
 export function densityText(charts: ReadonlySet<number>, density: number): string {
   const [chart] = charts;
   return charts.size === 1

@@ -2,6 +2,7 @@ import type { Abflat, AbflatError, UnwrapOptions } from 'abflat';
 import { copied } from '../base/buffers';
 import { loadPart } from '../base/load-part';
 import { exportFormatOf } from '../base/mesh-files';
+import { isMisplaced } from '../model/misplaced';
 import type { AnyProgress, Flattened, Helpers, Opened, Outcome, Unwrapped } from '../model/model';
 import type { NamedPart } from '../model/named-parts';
 import { type FlattenSettings, sameButSeams, type UnwrapSettings } from '../model/settings';
@@ -151,12 +152,27 @@ export async function layOut(
     return inPartTiles(all, parts, { settings, mesh, before }, runs);
   };
   if (!known.keepsPlaces) return made(await inTiles(known));
-  try {
+  const repacked = async () =>
+    made({ ...(await inTiles({ ...known, keepsPlaces: false })), isRepacked: true });
+  const inPlace = async () => {
     const [{ judged }, result] = await Promise.all([stackParts(), unwrap(known)]);
     return made(await judged(result, runs));
+  };
+  // Beside the charts that stay there may be no room for the others at the density asked for.
+  const outcome = (await unlessTooSmall(inPlace)) ?? (await repacked());
+  // What was not valid before is not to be put right unasked.
+  const mayRepack = placed?.mayRepack && last?.result.report.valid;
+  const { report } = outcome.result;
+  if (!mayRepack || report.valid || !isMisplaced(report)) return outcome;
+  return (await unlessTooSmall(repacked)) ?? outcome;
+}
+
+/** Null if the charts do not fit. */
+async function unlessTooSmall<T>(work: () => Promise<T>): Promise<T | null> {
+  try {
+    return await work();
   } catch (error) {
-    if ((error as AbflatError).code !== 'AtlasTooSmall') throw error;
-    // Beside the charts that stay there is no room for the others at the density asked for.
-    return made({ ...(await inTiles({ ...known, keepsPlaces: false })), isRepacked: true });
+    if ((error as AbflatError).code === 'AtlasTooSmall') return null;
+    throw error;
   }
 }

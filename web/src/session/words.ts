@@ -111,7 +111,7 @@ export const isOnlyPlaced = ({ mode, settings, result }: Outcome): boolean =>
 
 /** Whether the charts that were there were packed again. */
 export const isPackedAgain = ({ mode, settings }: Outcome): boolean =>
-  mode === 'unwrap' && settings.placed?.repacks === true;
+  mode === 'unwrap' && Boolean(settings.placed?.repacks || settings.placed?.mayRepack);
 
 /**
  * For a disk: the vertices with a bound of their own. For an edited atlas: the charts that the edit leaves as and where they were, those

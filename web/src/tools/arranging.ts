@@ -54,10 +54,10 @@ export class Arranging {
     const place = (change: Change, what: string) => void this.placement.place(change, what);
     this.placement = new Placement(workshop, views, {
       placing: () => events.placing(),
-      placed: (outcome, what) => {
+      placed: (outcome, what, mayRepack) => {
         this.pins.show();
         this.selection.showDensity();
-        events.placed(outcome, what);
+        events.placed(outcome, what, mayRepack);
       },
       notPlaced: (error, why) => {
         this.pins.show();
@@ -85,7 +85,9 @@ export class Arranging {
         const { charts, below } = motions;
         if (below === 0) return STACKING.noneFits;
         const uv = await workshop.moved(outcome.result, motions);
-        if (below === undefined || !('how' in arranged)) return { uv };
+        // Who asks for a density does not say where islands are to be; who drags them does.
+        const mayRepack = 'density' in arranged || ('how' in arranged && arranged.how === 'evened');
+        if (below === undefined || !('how' in arranged)) return { uv, mayRepack };
         const stacked = charts.length + below;
         return {
           uv,

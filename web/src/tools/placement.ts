@@ -10,6 +10,8 @@ import type { Workshop } from '../workshop/workshop';
 export interface Changed extends Partial<Pick<UnwrapResult, 'uv' | 'unpacked'>> {
   /** What was done, if that is only known now. */
   what?: string;
+  /** Where charts do not fit in their new places, all are packed. */
+  mayRepack?: boolean;
 }
 
 /** Changes an atlas; a text says why nothing is changed. */
@@ -18,8 +20,8 @@ export type Change = (outcome: Arrangeable) => Promise<Changed | string>;
 export interface PlacementEvents {
   /** Charts are about to be in other places. */
   placing(): void;
-  /** Charts are in other places; `what` was done. */
-  placed(outcome: Arrangeable, what: string): void;
+  /** Charts are in other places; `what` was done. `mayRepack`: see Changed. */
+  placed(outcome: Arrangeable, what: string, mayRepack: boolean): void;
   /** Nothing was moved: it went wrong, another atlas has come in between, or `why`. */
   notPlaced(error: Error | null, why?: string): void;
 }
@@ -83,7 +85,7 @@ export class Placement {
         this.giveUp(null, changed);
         return;
       }
-      const { what: done = what, ...coordinates } = changed;
+      const { what: done = what, mayRepack = false, ...coordinates } = changed;
       const { made, drawn } = await this.changed(outcome, coordinates);
       const drawing = await this.workshop.outcome(drawn);
       if (generation !== this.generation) {
@@ -92,7 +94,7 @@ export class Placement {
       }
       this.outcome = made;
       this.draw(drawing);
-      this.events.placed(made, done);
+      this.events.placed(made, done, mayRepack);
     } catch (error) {
       this.giveUp(error as Error);
     }

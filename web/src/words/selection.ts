@@ -17,9 +17,9 @@ export const SELECTION = {
   keptUvs: LOCKS.keptUvs,
   density: 'Density',
   mixedDensity: 'mixed',
-  densityOfOne: (chart: number, density: number) => `Density of island ${chart}: ${density}`,
+  densityOfOne: (chart: number, density: number) => `Set density ${density} on island ${chart}`,
   densityOfSeveral: (charts: number, density: number) =>
-    `Density of ${counted(charts, 'island')}: ${density}`,
+    `Set density ${density} on ${counted(charts, 'island')}`,
 };
 
 /** What was done to charts, by the names of the menu's entries. */
