@@ -123,6 +123,21 @@ std::vector<std::uint32_t> firstCopies(const std::vector<double>& uv) {
   return out;
 }
 
+/// Calls `found` with pairs of triangles that overlap, whichever way round they are, but for those
+/// that `areKnown`.
+template <class Known, class Found>
+void sweepAll(std::vector<double>& uv, const Known& areKnown, const Found& found) {
+  turnAll(uv);
+  // Thousands of copies may lie on each other: the first one stands for them.
+  const std::vector<std::uint32_t> first = firstCopies(uv);
+  for (std::uint32_t i = 0; i < first.size(); ++i) {
+    const double* t = &uv[6 * std::size_t{i}];
+    if (first[i] != i && orientation(t, t + 2, t + 4) > 0) found(first[i], i);
+  }
+  const auto isCopy = [&](std::uint32_t i) { return first[i] != i; };
+  sweep(uv, isCopy, areKnown, found);
+}
+
 constexpr auto kNoneIsOut = [](std::uint32_t) { return false; };
 constexpr auto kNoPair = [](std::uint32_t, std::uint32_t) { return false; };
 
@@ -150,21 +165,23 @@ std::optional<std::array<std::uint32_t, 2>> findOverlapBetween(
 }
 
 std::vector<std::uint8_t> overlappingTriangles(std::vector<double> uv) {
-  turnAll(uv);
-  // Thousands of copies may lie on each other: the first one stands for them.
-  const std::vector<std::uint32_t> first = firstCopies(uv);
-  std::vector<std::uint8_t> out(first.size(), 0);
-  for (std::uint32_t i = 0; i < first.size(); ++i) {
-    const double* t = &uv[6 * std::size_t{i}];
-    if (first[i] != i && orientation(t, t + 2, t + 4) > 0) out[i] = out[first[i]] = 1;
-  }
-  const auto isCopy = [&](std::uint32_t i) { return first[i] != i; };
-  const auto areKnown = [&](std::uint32_t i, std::uint32_t j) { return out[i] && out[j]; };
-  sweep(uv, isCopy, areKnown, [&](std::uint32_t i, std::uint32_t j) {
-    out[i] = out[j] = 1;
+  std::vector<std::uint8_t> out(uv.size() / 6, 0);
+  sweepAll(
+      uv, [&](std::uint32_t i, std::uint32_t j) { return out[i] && out[j]; },
+      [&](std::uint32_t i, std::uint32_t j) {
+        out[i] = out[j] = 1;
+        return true;
+      });
+  return out;
+}
+
+void forOverlaps(std::vector<double> uv,
+                 const std::function<bool(std::uint32_t, std::uint32_t)>& isKnown,
+                 const std::function<void(std::uint32_t, std::uint32_t)>& found) {
+  sweepAll(uv, isKnown, [&](std::uint32_t i, std::uint32_t j) {
+    found(std::min(i, j), std::max(i, j));
     return true;
   });
-  return out;
 }
 
 std::vector<std::uint32_t> leaveOutOverlaps(const std::vector<double>& uv,

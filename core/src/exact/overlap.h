@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,13 @@ std::optional<std::array<std::uint32_t, 2>> findOverlapBetween(
 /// Per triangle, whether it has more than boundary in common with another one, whichever way round
 /// they are. One without area has not.
 std::vector<std::uint8_t> overlappingTriangles(std::vector<double> uv);
+
+/// Calls `found` with pairs of triangles as above, the smaller number first, but for those that
+/// `isKnown` says yes to. Of triangles in the same place, the others are only paired with the
+/// first.
+void forOverlaps(std::vector<double> uv,
+                 const std::function<bool(std::uint32_t, std::uint32_t)>& isKnown,
+                 const std::function<void(std::uint32_t, std::uint32_t)>& found);
 
 /// Leaves out groups of triangles until nothing that is left overlaps as above: those that overlap
 /// themselves or a group that stays, of a smaller number. `group` has one per triangle, below

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "catch.h"
 
@@ -121,6 +122,15 @@ TEST_CASE("all triangles that overlap another are found, as by comparing each tw
     const std::vector<std::uint8_t> found = overlappingTriangles(uv);
     const std::size_t count = uv.size() / 6;
     REQUIRE(found.size() == count);
+    std::set<std::array<std::uint32_t, 2>> pairs;
+    forOverlaps(
+        uv, [](std::uint32_t, std::uint32_t) { return false; },
+        [&](std::uint32_t i, std::uint32_t k) {
+          CHECK(i < k);
+          pairs.insert({i, k});
+        });
+    // Of each eleven, the first two are copies of each other.
+    const auto hasCopy = [](std::size_t i) { return i % 11 < 2; };
     for (std::size_t i = 0; i < count; ++i) {
       bool overlapsAny = false;
       for (std::size_t j = 0; j < count; ++j) {
@@ -129,7 +139,11 @@ TEST_CASE("all triangles that overlap another are found, as by comparing each tw
                                  uv.begin() + static_cast<std::ptrdiff_t>(6 * i + 6));
         both.insert(both.end(), uv.begin() + static_cast<std::ptrdiff_t>(6 * j),
                     uv.begin() + static_cast<std::ptrdiff_t>(6 * j + 6));
-        overlapsAny = overlapsAny || findOverlapBetween(both, {0, 1}).has_value();
+        const bool doOverlap = findOverlapBetween(both, {0, 1}).has_value();
+        overlapsAny = overlapsAny || doOverlap;
+        if (i < j && !hasCopy(i) && !hasCopy(j))
+          CHECK((pairs.count({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)}) > 0) ==
+                doOverlap);
       }
       CHECK((found[i] != 0) == overlapsAny);
     }
