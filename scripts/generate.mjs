@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Turns core/schema into C++, TypeScript, Python, the marked tables of the documentation and the files that
-// the manifest of the page accepts. With --check, writes nothing: exits with 1 and names the files
+// Turns core/schema into C++, TypeScript, Python, the marked tables of the documentation, the schema of
+// rules for verify and the files that the manifest of the page accepts. With --check, writes nothing: exits with 1 and names the files
 // that differ.
 
 import {
@@ -30,6 +30,7 @@ import {
   renderPageFormats,
 } from './lib/generate-formats.mjs';
 import { renderPython } from './lib/generate-python.mjs';
+import { renderRules } from './lib/generate-rules.mjs';
 import {
   renderBits,
   renderLateOptions,
@@ -63,6 +64,7 @@ export function renderAll(root) {
     ['core/include/abflat/generated/mesh_format.h', renderMeshFormat(schema)],
     ['native/src/files/generated/file_format.h', renderFileFormat(schema)],
     ['native/python/abflat/_generated.py', renderPython(schema)],
+    ['docs/rules.schema.json', renderRules(schema)],
     ['web/src/words/generated-formats.ts', renderPageFormats(schema)],
     ['web/src/words/generated-option-texts.ts', renderOptionTexts(schema)],
     ['wasm/bindings/generated/field.h', renderField(schema)],

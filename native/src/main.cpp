@@ -20,6 +20,7 @@ struct Runner {
   int operator()(const FlattenCommand& command) const { return runFlatten(command); }
   int operator()(const PackCommand& command) const { return runPack(command); }
   int operator()(const BakeCommand& command) const { return runBake(command); }
+  int operator()(const VerifyCommand& command) const { return runVerify(command); }
   int operator()(const InspectCommand& command) const { return runInspect(command); }
   int operator()(const SampleCommand& command) const { return runSample(command); }
   int operator()(const SweepCommand& command) const { return runSweep(command); }

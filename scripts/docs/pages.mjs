@@ -35,6 +35,7 @@ const SIDEBAR = [
     files: [
       'docs/unwrapping.md',
       'docs/packing.md',
+      'docs/verify.md',
       'docs/baking.md',
       'docs/formats.md',
       'docs/report.md',

@@ -105,7 +105,7 @@ const NO_SHADOW = '#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored "
  * Enums for reports and progress, one byte each, since there may be as many charts as triangles.
  */
 export function renderNames({ enums }) {
-  const parts = enums.flatMap(({ name, text, values, bits }) => [
+  const parts = enums.flatMap(({ name, text, values, bits, explained }) => [
     enumClass(
       name,
       sentence(text),
@@ -118,10 +118,24 @@ export function renderNames({ enums }) {
       values.map((value) => [pascalCase(value.name), literal(value.name)]),
       literal(''),
     ),
+    ...(explained ? explanations(name, values) : []),
   ]);
   const head = [HEADER, '#include <cstdint>\n', NO_SHADOW, 'namespace abflat {\n'];
   const tail = ['}  // namespace abflat\n', '#pragma GCC diagnostic pop'];
   return `${[...head, ...parts, ...tail].join('\n')}\n`;
+}
+
+/** What each value means, as text, and how many there are. */
+function explanations(name, values) {
+  return [
+    switchFunction(
+      `inline const char* textOf(${name} code)`,
+      name,
+      values.map((value) => [pascalCase(value.name), literal(value.text)]),
+      literal(''),
+    ),
+    `constexpr int k${name}Count = ${values.length};\n`,
+  ];
 }
 
 /** The arrays that JavaScript writes for `unwrap`. */

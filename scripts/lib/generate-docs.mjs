@@ -30,6 +30,7 @@ const TABLES = {
   'unwrap-options': ({ unwrapOptions }) => optionTable(unwrapOptions),
   'pack-options': ({ packOptions }) => optionTable(packOptions),
   'bake-options': ({ bakeOptions }) => optionTable(bakeOptions),
+  'verify-options': ({ verifyOptions }) => optionTable(verifyOptions),
 };
 
 /** `enum-NAME` and `struct-NAME`. */

@@ -30,9 +30,10 @@ export function checkSchema(schema) {
   const unwrapOptions = resolvedSet('unwrapOptions', schema, flattenOptions);
   const packOptions = resolvedSet('packOptions', schema, [...unwrapOptions, ...flattenOptions]);
   const bakeOptions = resolvedSet('bakeOptions', schema, [...unwrapOptions, ...flattenOptions]);
+  const verifyOptions = resolvedSet('verifyOptions', schema, unwrapOptions);
   for (const { name, values } of schema.enums) checkUnique(values, `enum ${name}`);
   checkUnique(schema.enums, 'enums');
-  return { ...schema, unwrapOptions, packOptions, bakeOptions };
+  return { ...schema, unwrapOptions, packOptions, bakeOptions, verifyOptions };
 }
 
 /** A set whose options may be those of others: by name alone, or with `like` and what differs. */
@@ -49,8 +50,12 @@ function resolvedSet(list, schema, others) {
   return options;
 }
 
-/** The sets of options: their names, their options, and which of those another set has defined. */
-export function optionSets({ flattenOptions, unwrapOptions, packOptions, bakeOptions }) {
+/**
+ * The sets of options: their names, their options, and which of those another set has defined. A
+ * set of which a product has none is left out.
+ */
+export function optionSets(schema) {
+  const { flattenOptions, unwrapOptions, packOptions, bakeOptions, verifyOptions } = schema;
   return [
     {
       verb: 'flatten',
@@ -76,7 +81,13 @@ export function optionSets({ flattenOptions, unwrapOptions, packOptions, bakeOpt
       options: bakeOptions,
       shared: namesOf([...flattenOptions, ...unwrapOptions]),
     },
-  ];
+    {
+      verb: 'verify',
+      text: 'What a layout must keep to, as plain values, with their defaults.',
+      options: verifyOptions,
+      shared: namesOf(unwrapOptions),
+    },
+  ].filter(({ options }) => options.length > 0);
 }
 
 const namesOf = (options) => options.map(({ name }) => name);
@@ -112,6 +123,7 @@ export function ofPackage(schema) {
     flattenOptions: kept(schema.flattenOptions),
     unwrapOptions: kept(schema.unwrapOptions),
     packOptions: kept(schema.packOptions),
+    verifyOptions: schema.verifyOptions.filter((option) => isOptionOf(option, 'package')),
     bakeOptions: schema.bakeOptions.filter((option) => isOptionOf(option, 'package')),
   };
 }

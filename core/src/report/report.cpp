@@ -4,6 +4,7 @@
 #include "abflat/inspect.h"
 #include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
+#include "abflat/verify.h"
 #include "abflat/version.h"
 #include "report/field_writer.h"
 
@@ -27,6 +28,8 @@ std::string unwrapReportJson(const UnwrapReport& report) { return jsonOf(report)
 std::string packReportJson(const PackReport& report) { return jsonOf(report); }
 
 std::string bakeReportJson(const BakeReport& report) { return jsonOf(report); }
+
+std::string verifyReportJson(const VerifyReport& report) { return jsonOf(report); }
 
 std::string inspectJson(const MeshSummary& summary, const std::string& path) {
   FieldWriter json;

@@ -22,12 +22,13 @@ std::string usageError(const CLI::App& app, const CLI::Error& error) {
   const auto named = app.get_subcommands();
   std::string what = error.what();
   if (named.empty() && !app.remaining().empty())
-    what = "there is no command '" + app.remaining().front() +
-           "'. Use unwrap, flatten, pack, bake, inspect, sample, sweep, compare or reproduce";
+    what =
+        "there is no command '" + app.remaining().front() +
+        "'. Use unwrap, flatten, pack, bake, verify, inspect, sample, sweep, compare or reproduce";
   else if (named.empty())
     what =
-        "no command given. Use unwrap, flatten, pack, bake, inspect, sample, sweep, compare or "
-        "reproduce";
+        "no command given. Use unwrap, flatten, pack, bake, verify, inspect, sample, sweep, "
+        "compare or reproduce";
   else if (const std::string option = unknownOption(*named.front()); !option.empty())
     what = "there is no option '" + option + "'. If that is a file, write ./" + option;
   else if (error.get_name() == "ArgumentMismatch")
@@ -52,6 +53,7 @@ Command parseArguments(int argc, const char* const* argv) {
       "  abflat flatten head.obj -o head-uv.obj --t 2 --report head.json\n"
       "  abflat pack robot.glb -o robot-packed.glb\n"
       "  abflat bake robot.glb -o robot-baked.glb --texcoord 1\n"
+      "  abflat verify robot.glb --padding 8 --resolution 2048\n"
       "  abflat inspect head.obj\n"
       "  abflat sample head -o head.obj\n\n" +
       exitCodeHelp());
@@ -59,6 +61,7 @@ Command parseArguments(int argc, const char* const* argv) {
   FlattenCommand flatten;
   PackCommand pack;
   BakeCommand bake;
+  VerifyCommand verify;
   InspectCommand inspect;
   SampleCommand sample;
   SweepCommand sweep;
@@ -68,6 +71,7 @@ Command parseArguments(int argc, const char* const* argv) {
   const CLI::App* flattenApp = addFlatten(app, flatten);
   const CLI::App* packApp = addPack(app, pack);
   const CLI::App* bakeApp = addBake(app, bake);
+  const CLI::App* verifyApp = addVerify(app, verify);
   const CLI::App* inspectApp = addInspect(app, inspect);
   const CLI::App* sampleApp = addSample(app, sample);
   const CLI::App* sweepApp = addSweep(app, sweep);
@@ -79,6 +83,10 @@ Command parseArguments(int argc, const char* const* argv) {
     if (flattenApp->parsed()) checkTogether(flatten);
     if (packApp->parsed()) checkTogether(pack);
     if (bakeApp->parsed()) checkTogether(bake);
+    if (verifyApp->parsed()) {
+      checkTogether(verify);
+      noteGiven(*verifyApp, verify);
+    }
     if (sweepApp->parsed()) checkTogether(sweep);
     if (compareApp->parsed()) checkTogether(compare);
   } catch (const CLI::Success& request) {
@@ -92,6 +100,7 @@ Command parseArguments(int argc, const char* const* argv) {
   if (flattenApp->parsed()) return flatten;
   if (packApp->parsed()) return pack;
   if (bakeApp->parsed()) return bake;
+  if (verifyApp->parsed()) return verify;
   if (inspectApp->parsed()) return inspect;
   if (sampleApp->parsed()) return sample;
   if (sweepApp->parsed()) return sweep;

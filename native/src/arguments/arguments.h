@@ -11,6 +11,7 @@
 #include "abflat/pack_layout.h"
 #include "abflat/samples.h"
 #include "abflat/unwrap.h"
+#include "abflat/verify.h"
 #include "files/kept_faces.h"
 
 namespace abflat::cli {
@@ -58,6 +59,17 @@ struct BakeCommand {
   std::optional<std::size_t> texcoord = 1;  ///< number of the glTF set with the new layout
   std::string report;                       ///< empty: not wanted
   BakeOptionValues options;
+  bool quiet = false;
+};
+
+struct VerifyCommand {
+  std::string input;
+  bool allowsOutside = false;  ///< files that the mesh refers to may be anywhere
+  GltfReadOptions gltf;
+  std::string rules;                 ///< file with further options; empty: none
+  std::string report, junit, sarif;  ///< empty: not wanted
+  VerifyOptionValues options;
+  std::vector<bool> given;  ///< per option: not to be taken from the rules
   bool quiet = false;
 };
 
@@ -113,8 +125,8 @@ struct Finished {
 };
 
 using Command =
-    std::variant<Finished, UnwrapCommand, FlattenCommand, PackCommand, BakeCommand, InspectCommand,
-                 SampleCommand, SweepCommand, CompareCommand, ReproduceCommand>;
+    std::variant<Finished, UnwrapCommand, FlattenCommand, PackCommand, BakeCommand, VerifyCommand,
+                 InspectCommand, SampleCommand, SweepCommand, CompareCommand, ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

@@ -9,6 +9,7 @@ int runUnwrap(const UnwrapCommand& command);
 int runFlatten(const FlattenCommand& command);
 int runPack(const PackCommand& command);
 int runBake(const BakeCommand& command);
+int runVerify(const VerifyCommand& command);
 int runInspect(const InspectCommand& command);
 int runSample(const SampleCommand& command);
 int runSweep(const SweepCommand& command);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "abflat/pack_layout.h"
+#include "abflat/verify.h"
 #include "atlas_oracle.h"
 #include "exact_turn.h"
 #include "expect.h"
@@ -166,6 +167,26 @@ void expectPlaces(const PackedMesh& p) {
     }
 }
 
+/// verify sees the layout that pack was given as pack sees it where that stays.
+void expectVerdict(const PolygonMesh& mesh, const PackLayoutOptions& options,
+                   const PackLayoutResult& packed) {
+  VerifyOptions asked;
+  asked.resolution = options.resolution;
+  asked.udim = options.udim;
+  asked.padding = options.padding;
+  const Result<VerifyResult> found = verifyLayout(mesh, asked);
+  expect(found.ok(), "what can be packed can be verified: " + found.status().message);
+  const VerifyReport& report = found.value().report;
+  verifyReportJson(report);
+  expect(report.islands == packed.report.islands, "both find the same islands");
+  expect(report.valid == report.findings.empty(), "what has findings is not valid");
+  if (!options.keepPlaces || options.precision != Precision::Double) return;
+  const PackReport& kept = packed.report;
+  expect(report.facesOverlapping == kept.facesOverlapping && report.facesEmpty == kept.facesEmpty &&
+             report.facesFlipped == kept.facesFlipped,
+         "both find the same faults");
+}
+
 }  // namespace
 
 bool packMesh(const std::uint8_t* bytes, std::size_t size) {
@@ -181,6 +202,7 @@ bool packMesh(const std::uint8_t* bytes, std::size_t size) {
   const PackReport& report = result.value().report;
   packReportJson(report);
   expectStays(packed, options.precision);
+  expectVerdict(mesh, options, result.value());
   if (options.keepPlaces && options.precision == Precision::Double)
     forEachCorner(packed, [&](std::uint32_t, std::uint32_t c) {
       expect(packed.before(c) == packed.after(c), "what is to stay stays where it is");

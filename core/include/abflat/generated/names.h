@@ -124,6 +124,99 @@ inline const char* nameOf(Stage code) {
   return "";
 }
 
+/// What verify asks of a layout.
+enum class VerifyRule : std::uint8_t {
+  Flipped = 0,  ///< a face runs clockwise, or against the rest of its island
+  Empty = 1,  ///< a face with area has none in uv
+  Overlap = 2,  ///< an island overlaps itself
+  OverlapBetween = 3,  ///< an island overlaps another
+  Stacked = 4,  ///< islands cover the same place
+  Outside = 5,  ///< an island is not within one tile
+  Padding = 6,  ///< two islands are too near each other
+  Margin = 7,  ///< an island is too near the edge of its tile
+  Thin = 8,  ///< an island is too narrow
+  Density = 9,  ///< a face has too few or too many texels per mesh unit
+  DensityRatio = 10,  ///< islands differ too much in texels per mesh unit
+  Stretch = 11,  ///< an island is stretched too much
+  Utilization = 12,  ///< islands cover too little of the tiles
+  Islands = 13,  ///< there are too many islands
+  Unmapped = 14,  ///< a face has no texcoords
+};
+
+inline const char* nameOf(VerifyRule code) {
+  switch (code) {
+    case VerifyRule::Flipped:
+      return "flipped";
+    case VerifyRule::Empty:
+      return "empty";
+    case VerifyRule::Overlap:
+      return "overlap";
+    case VerifyRule::OverlapBetween:
+      return "overlapBetween";
+    case VerifyRule::Stacked:
+      return "stacked";
+    case VerifyRule::Outside:
+      return "outside";
+    case VerifyRule::Padding:
+      return "padding";
+    case VerifyRule::Margin:
+      return "margin";
+    case VerifyRule::Thin:
+      return "thin";
+    case VerifyRule::Density:
+      return "density";
+    case VerifyRule::DensityRatio:
+      return "densityRatio";
+    case VerifyRule::Stretch:
+      return "stretch";
+    case VerifyRule::Utilization:
+      return "utilization";
+    case VerifyRule::Islands:
+      return "islands";
+    case VerifyRule::Unmapped:
+      return "unmapped";
+  }
+  return "";
+}
+
+inline const char* textOf(VerifyRule code) {
+  switch (code) {
+    case VerifyRule::Flipped:
+      return "a face runs clockwise, or against the rest of its island";
+    case VerifyRule::Empty:
+      return "a face with area has none in uv";
+    case VerifyRule::Overlap:
+      return "an island overlaps itself";
+    case VerifyRule::OverlapBetween:
+      return "an island overlaps another";
+    case VerifyRule::Stacked:
+      return "islands cover the same place";
+    case VerifyRule::Outside:
+      return "an island is not within one tile";
+    case VerifyRule::Padding:
+      return "two islands are too near each other";
+    case VerifyRule::Margin:
+      return "an island is too near the edge of its tile";
+    case VerifyRule::Thin:
+      return "an island is too narrow";
+    case VerifyRule::Density:
+      return "a face has too few or too many texels per mesh unit";
+    case VerifyRule::DensityRatio:
+      return "islands differ too much in texels per mesh unit";
+    case VerifyRule::Stretch:
+      return "an island is stretched too much";
+    case VerifyRule::Utilization:
+      return "islands cover too little of the tiles";
+    case VerifyRule::Islands:
+      return "there are too many islands";
+    case VerifyRule::Unmapped:
+      return "a face has no texcoords";
+  }
+  return "";
+}
+
+constexpr int kVerifyRuleCount = 15;
+
 /// A method of compare.
 enum class MethodKey : std::uint8_t {
   AbflatAuto = 0,  ///< flatten with t = auto
