@@ -10,7 +10,6 @@ import { plots } from './details/late-chart';
 import { methodTables } from './details/methods-tab';
 import type { Remedy } from './details/remedy';
 import { verdictOf } from './details/verdict';
-import { savingParts } from './export/exporter';
 import { HandTools } from './hand-tools';
 import { HelpSheet, helpParts } from './help/help-sheet';
 import { LaterParts } from './later-parts';
@@ -28,7 +27,7 @@ import {
 import { isByHand, type Settings } from './model/settings';
 import { FIRST_SAMPLE } from './opening/open-mesh';
 import { objectsTab, ResultPanels } from './result-panels';
-import { Saving } from './saving';
+import { exportParts, Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
 import { stackParts } from './session/lay-out';
 import { type Left, LeftMeshes } from './session/left-meshes';
@@ -85,7 +84,7 @@ export class App implements SessionEvents {
     plots,
     methodTables,
     helpParts,
-    savingParts,
+    exportParts,
     objectsTab,
     ownImages,
   ]);

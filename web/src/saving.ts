@@ -1,7 +1,7 @@
 import { hideAlert, showAlert } from './base/alert';
 import { loadPart, reasonOf } from './base/load-part';
 import { TexcoordChoice } from './controls/texcoord-choice';
-import { BakeOffer } from './export/bake-offer';
+import { BakeOffer, bakeChoices } from './export/bake-offer';
 import { ExportControl } from './export/export-control';
 import { Exporter, savingParts } from './export/exporter';
 import { LayoutBar } from './export/layout-bar';
@@ -15,6 +15,9 @@ import { ownerOf } from './shown/stale-mark';
 import type { Views } from './view/views';
 import { SAVING } from './words/export';
 import type { Workshop } from './workshop/workshop';
+
+/** What saving needs beyond the first load. */
+export const exportParts = () => Promise.all([savingParts(), bakeChoices()]);
 
 export interface SavingEvents {
   /** A mesh with this layout is in a file. */

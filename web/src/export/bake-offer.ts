@@ -4,6 +4,9 @@ import type { Outcome } from '../model/model';
 import type { ExportFormat } from '../words/generated-formats';
 import type { BakeChoice } from './bake-choice';
 
+/** Loaded before it is needed, too, so that it is there without a connection. */
+export const bakeChoices = () => loadPart(import('./bake-choice'));
+
 export interface BakeOfferEvents {
   /** Something else is wanted of textures. */
   changed(): void;
@@ -41,7 +44,7 @@ export class BakeOffer {
 
   private async load(): Promise<void> {
     try {
-      const { BakeChoice } = await loadPart(import('./bake-choice'));
+      const { BakeChoice } = await bakeChoices();
       this.choice ??= new BakeChoice(() => this.events.changed());
       this.choice.show(this.outcome);
     } catch (error) {
