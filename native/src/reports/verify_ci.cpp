@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "abflat/version.h"
 #include "reports/verify_reports.h"
+#include "terminal/markup.h"
 #include "terminal/terminal.h"
 
 namespace abflat::cli {
@@ -17,21 +19,11 @@ std::vector<VerifyRule> allRules() {
 }
 
 /// XML has no other control characters.
-std::string inXml(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n')
-      out += c;
-  }
-  return out;
+std::string inXml(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(),
+                            [](unsigned char c) { return c < 0x20 && c != '\n'; }),
+             text.end());
+  return escapedMarkup(text);
 }
 
 /// As XML and JSON need it: what is no UTF-8 becomes U+FFFD.

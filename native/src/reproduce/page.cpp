@@ -1,6 +1,7 @@
 #include "reproduce/page.h"
 
 #include "abflat/version.h"
+#include "terminal/markup.h"
 
 namespace abflat::cli {
 namespace {
@@ -40,21 +41,21 @@ constexpr const char* kHead = R"(<!doctype html>
 
 std::string list(const std::vector<std::string>& items) {
   std::string out = "<ul>\n";
-  for (const std::string& item : items) out += "<li>" + htmlEscaped(item) + "</li>\n";
+  for (const std::string& item : items) out += "<li>" + escapedMarkup(item) + "</li>\n";
   return out + "</ul>\n";
 }
 
 std::string heading(int section, const std::string& text) {
-  return "<h2 id=\"s" + std::to_string(section) + "\">" + htmlEscaped(text) + "</h2>\n";
+  return "<h2 id=\"s" + std::to_string(section) + "\">" + escapedMarkup(text) + "</h2>\n";
 }
 
 std::string link(int section, const std::string& text) {
-  return "<a href=\"#s" + std::to_string(section) + "\">" + htmlEscaped(text) + "</a>\n";
+  return "<a href=\"#s" + std::to_string(section) + "\">" + escapedMarkup(text) + "</a>\n";
 }
 
 std::string figureHtml(const PagePicture& picture) {
-  const std::string file = htmlEscaped(picture.file);
-  const std::string text = htmlEscaped(picture.section + ", " + picture.title);
+  const std::string file = escapedMarkup(picture.file);
+  const std::string text = escapedMarkup(picture.section + ", " + picture.title);
   return "<figure><a href=\"" + file + "\"><img loading=\"lazy\" src=\"" + file + "\" alt=\"" +
          text + "\"></a></figure>\n";
 }
@@ -84,8 +85,8 @@ std::string pageHtml(const PageContent& content) {
     body += list(content.remarks);
   }
   return kHead + std::string("<p>Made by abflat " ABFLAT_VERSION ". Compared with ") +
-         htmlEscaped(std::string(kPaperSource)) + ".</p>\n<nav>\n" + links + "</nav>\n</header>\n" +
-         body + "</body>\n</html>\n";
+         escapedMarkup(std::string(kPaperSource)) + ".</p>\n<nav>\n" + links +
+         "</nav>\n</header>\n" + body + "</body>\n</html>\n";
 }
 
 }  // namespace abflat::cli

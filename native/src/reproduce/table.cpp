@@ -3,6 +3,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "terminal/markup.h"
+
 namespace abflat::cli {
 namespace {
 
@@ -81,32 +83,15 @@ std::string htmlText(const Table& table) {
   };
   std::string out = "<div class=\"table\"><table>\n<thead><tr>";
   for (std::size_t i = 0; i < table.columns.size(); ++i)
-    out += opened("th", i) + htmlEscaped(table.columns[i].name) + "</th>";
+    out += opened("th", i) + escapedMarkup(table.columns[i].name) + "</th>";
   out += "</tr></thead>\n<tbody>\n";
   for (const std::vector<Cell>& row : table.rows) {
     out += "<tr>";
     for (std::size_t i = 0; i < table.columns.size(); ++i)
-      out += opened("td", i) + htmlEscaped(cellAt(row, i).shown) + "</td>";
+      out += opened("td", i) + escapedMarkup(cellAt(row, i).shown) + "</td>";
     out += "</tr>\n";
   }
   return out + "</tbody>\n</table></div>\n";
-}
-
-std::string htmlEscaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
 }
 
 }  // namespace abflat::cli

@@ -32,7 +32,4 @@ std::string csvText(const Table& table);
 std::string markdownText(const Table& table);
 std::string htmlText(const Table& table);
 
-/// Text with markup escaped, for HTML.
-std::string htmlEscaped(const std::string& text);
-
 }  // namespace abflat::cli
