@@ -5,6 +5,7 @@
 #include "base/constants.h"
 #include "base/point2.h"
 #include "flatten/rectify_chart.h"
+#include "mesh/triangle_geometry.h"
 #include "solve/factor_memory.h"
 #include "unwrap/expected_density.h"
 #include "unwrap/near_parts.h"
