@@ -1,7 +1,7 @@
 #!/usr/bin/env node
-// Turns core/schema into C++, TypeScript, Python, the marked tables of the documentation, the schema of
-// rules for verify and the files that the manifest of the page accepts. With --check, writes nothing: exits with 1 and names the files
-// that differ.
+// Turns core/schema into C++, TypeScript, Python, the marked tables of the documentation, the schema
+// of rules for verify, and the files that the manifest of the page accepts. With --check, writes
+// nothing: exits with 1 and names the files that differ.
 
 import {
   existsSync,

@@ -1,6 +1,7 @@
 // The TypeScript side of the schema.
 
 import { coreFormats, writtenFormats } from './formats.mjs';
+import { isIn } from './report-schema.mjs';
 import {
   BOUNDS,
   constantCase,
@@ -109,9 +110,10 @@ export function renderBits(schema) {
 
 /** A union of all names, or of the stages of each call of the package. */
 function enumParts(schema) {
-  return schema.enums.flatMap(({ name, text, values, bits }) => {
-    if (bits) return [];
+  return schema.enums.flatMap(({ name, text, values, bits, ...products }) => {
+    if (bits || !isIn(products, 'package')) return [];
     const all = new Set(values.flatMap((value) => value.of ?? []));
+    all.delete('verify'); // of the program alone
     if (all.size === 0)
       return unionType(
         name,

@@ -151,12 +151,48 @@ export function mingled(triangles) {
 }
 
 /**
+ * By how much the density of an object may be off if each of its charts was stretched by half a texel
+ * at most, across and up; as a share.
+ */
+function mostSnapped(triangles, resolution) {
+  const charts = chartsOf(triangles);
+  const sides = sidesOf(resolution);
+  const boxes = new Map();
+  const areas = new Map();
+  for (const [i, { uv }] of triangles.entries()) {
+    const chart = charts[i];
+    const { low, high } = boxes.get(chart) ?? { low: [1, 1], high: [0, 0] };
+    for (const point of uv)
+      for (const d of [0, 1]) {
+        low[d] = Math.min(low[d], point[d]);
+        high[d] = Math.max(high[d], point[d]);
+      }
+    boxes.set(chart, { low, high });
+    areas.set(chart, (areas.get(chart) ?? 0) + Math.abs(areaInAtlas(uv)));
+  }
+  const sums = new Map();
+  const seen = new Set();
+  for (const [i, { object }] of triangles.entries()) {
+    if (seen.has(charts[i])) continue;
+    seen.add(charts[i]);
+    const { low, high } = boxes.get(charts[i]);
+    const length = (d) => (high[d] - low[d]) * sides[d];
+    const area = areas.get(charts[i]);
+    const off = [0, 1].reduce((sum, d) => sum + 0.5 / length(d), 0);
+    const [all, stretched] = sums.get(object) ?? [0, 0];
+    sums.set(object, [all + area, stretched + area * off]);
+  }
+  // Of the area; a density is its root.
+  return new Map([...sums].map(([object, [all, stretched]]) => [object, stretched / all / 2]));
+}
+
+/**
  * What is wrong with triangles `{ object, places, uv }`, corners in the order in which they are seen
  * from outside, v upwards: sentences. `snapToTexels`: charts are stretched a little.
  */
 export function complaintsAbout(triangles, wanted) {
   const { resolution, padding, texelDensity, snapToTexels = false } = wanted;
-  const leeway = snapToTexels ? 0.03 : 0.01;
+  const snapped = snapToTexels ? mostSnapped(triangles, resolution) : new Map();
   const isThin = ({ places }) => areaInSpace(places) < 1e-12;
   const { flipped, flat, outside, overlaps } = judge(
     triangles.map(({ uv }) => uv),
@@ -168,7 +204,7 @@ export function complaintsAbout(triangles, wanted) {
   const shared = mingled(triangles);
   if (shared.length > 0) found.push(`objects share charts: ${shared}`);
   for (const [object, density] of densitiesOf(triangles, resolution))
-    if (!(Math.abs(density / texelDensity - 1) < leeway))
+    if (!(Math.abs(density / texelDensity - 1) < 0.01 + (snapped.get(object) ?? 0)))
       found.push(`${object} has ${density} texels per unit, not ${texelDensity}`);
   const gap = leastGap(triangles, resolution, padding);
   if (gap < padding) found.push(`charts are ${gap} texels apart, not ${padding}`);

@@ -135,7 +135,7 @@ std::vector<std::uint8_t> describeLayout(const MeshLayout& layout, const Packing
   addNotes(layout, options, report);
   const PlacedTriangles placed = placedTriangles(layout, texcoords);
   const std::vector<std::uint8_t> faults = faultsOf(placed, packing.tiles);
-  countFaults(placed, faults, report);
+  countFaults(placed.face, faults, report);
   std::string problem = problemOf(placed, packing.tiles);
   report.valid = problem.empty();
   if (!report.valid) report.notes.push_back(std::move(problem));

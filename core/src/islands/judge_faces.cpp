@@ -1,6 +1,5 @@
 #include "islands/judge_faces.h"
 
-#include "abflat/generated/names.h"
 #include "exact/orientation.h"
 #include "exact/overlap.h"
 #include "islands/island_triangles.h"
@@ -18,31 +17,20 @@ bool isOutside(const double* triangle, std::uint32_t tiles) {
 
 }  // namespace
 
+std::uint8_t faultsAt(const double* uv, bool isOverlapping, bool isOutside) {
+  const int turn = orientation(uv, uv + 2, uv + 4);
+  return static_cast<std::uint8_t>(
+      (isOverlapping ? bitOf(UvFault::Overlapping) : 0) | (turn < 0 ? bitOf(UvFault::Flipped) : 0) |
+      (turn == 0 ? bitOf(UvFault::Empty) : 0) | (isOutside ? bitOf(UvFault::Outside) : 0));
+}
+
 std::vector<std::uint8_t> faultsOf(const PlacedTriangles& placed, std::uint32_t tiles) {
   std::vector<std::uint8_t> out = overlappingTriangles(placed.uv);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double* t = &placed.uv[6 * i];
-    const int turn = orientation(t, t + 2, t + 4);
-    out[i] = static_cast<std::uint8_t>((out[i] != 0 ? bitOf(UvFault::Overlapping) : 0) |
-                                       (turn < 0 ? bitOf(UvFault::Flipped) : 0) |
-                                       (turn == 0 ? bitOf(UvFault::Empty) : 0) |
-                                       (isOutside(t, tiles) ? bitOf(UvFault::Outside) : 0));
+    out[i] = faultsAt(t, out[i] != 0, isOutside(t, tiles));
   }
   return out;
-}
-
-void countFaults(const PlacedTriangles& placed, const std::vector<std::uint8_t>& faults,
-                 PackReport& report) {
-  for (std::size_t i = 0; i < faults.size();) {
-    unsigned ofFace = 0;
-    const std::uint32_t face = placed.face[i];
-    for (; i < faults.size() && placed.face[i] == face; ++i) ofFace |= faults[i];
-    const auto has = [&](UvFault fault) { return std::size_t{(ofFace & bitOf(fault)) != 0}; };
-    report.facesOverlapping += has(UvFault::Overlapping);
-    report.facesFlipped += has(UvFault::Flipped);
-    report.facesEmpty += has(UvFault::Empty);
-    report.facesOutside += has(UvFault::Outside);
-  }
 }
 
 }  // namespace abflat

@@ -27,15 +27,10 @@ bool areAlike(double a, double b) {
 
 }  // namespace
 
-FoundOverlaps findOverlaps(const MappedTriangles& triangles, const LayoutMeasures& measures,
+FoundOverlaps findOverlaps(const MappedTriangles& triangles,
+                           const std::vector<std::uint32_t>& island, const LayoutMeasures& measures,
                            const AtlasSize& size) {
   const IslandTriangles& inUv = triangles.inUv;
-  std::vector<std::uint32_t> island(triangles.face.size());
-  std::vector<UvBox> boxes;
-  for (std::uint32_t i = 0; i < inUv.islands(); ++i) {
-    boxes.push_back(inUv.box(i));
-    std::fill(island.begin() + inUv.begin[i], island.begin() + inUv.begin[i + 1], i);
-  }
   FoundOverlaps out;
   out.overlapping.assign(island.size(), 0);
   out.isOnAnother.assign(inUv.islands(), 0);
@@ -56,7 +51,7 @@ FoundOverlaps findOverlaps(const MappedTriangles& triangles, const LayoutMeasure
       });
   for (auto& [islands, pair] : found) {
     const auto [a, b] = islands;
-    pair.isStacked = a != b && coverSame(boxes[a], boxes[b], size) &&
+    pair.isStacked = a != b && coverSame(inUv.box(a), inUv.box(b), size) &&
                      areAlike(measures.islands[a].area, measures.islands[b].area);
     if (pair.isStacked) out.isOnAnother[b] = 1;
     out.pairs.push_back(pair);

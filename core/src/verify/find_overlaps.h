@@ -25,8 +25,9 @@ struct FoundOverlaps {
 };
 
 /// Decided exactly, but whether two islands cover the same place: their boxes differ by less than
-/// half a texel, and their areas by less than a hundredth.
-FoundOverlaps findOverlaps(const MappedTriangles& triangles, const LayoutMeasures& measures,
+/// half a texel, and their areas by less than a hundredth. `island`: per triangle.
+FoundOverlaps findOverlaps(const MappedTriangles& triangles,
+                           const std::vector<std::uint32_t>& island, const LayoutMeasures& measures,
                            const AtlasSize& size);
 
 }  // namespace abflat

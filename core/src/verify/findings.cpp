@@ -9,6 +9,7 @@
 #include "base/counted.h"
 #include "base/number_text.h"
 #include "exact/orientation.h"
+#include "islands/judge_faces.h"
 
 namespace abflat {
 namespace {
@@ -20,10 +21,12 @@ std::string exactText(double x) {
   return {chars, writeDouble(chars, x)};
 }
 
-/// With few digits, as people read them.
-std::string shortText(double x) {
+/// With few digits, as people read them, but enough to tell it from `other`.
+std::string shortText(double x, double other = kNotMeasured) {
+  constexpr double kMostDigits = 1e12;
   const double size = std::abs(x);
-  const double per = size >= 100 ? 1 : size >= 10 ? 10 : size >= 1 ? 100 : 10000;
+  double per = size >= 100 ? 1 : size >= 10 ? 10 : size >= 1 ? 100 : 10000;
+  while (per < kMostDigits && x != other && std::round(x * per) / per == other) per *= 10;
   return exactText(std::round(x * per) / per);
 }
 
@@ -92,7 +95,7 @@ class Finder {
     found.rule = VerifyRule::Unmapped;
     found.message = counted(faces.size(), "face has no texcoords", "faces have no texcoords") +
                     (faces.size() > 1 ? ", the first of which is face " : ": face ") +
-                    std::to_string(faces.front()) + ". Unwrap them";
+                    std::to_string(faces.front()) + ". Unwrap the mesh, or allow unmapped faces";
     takeFirst(faces, found.faces);
     out_.push_back(std::move(found));
   }
@@ -106,8 +109,9 @@ class Finder {
   }
 
   void findFlipped() {
-    const char* what = options_.allowMirrored ? "They run against the rest of their islands"
-                                              : "Turn them over, or allow mirrored islands";
+    const char* what = options_.allowMirrored
+                           ? "The rest of the island runs the other way; unwrap it again"
+                           : "Unwrap again, or allow mirrored islands if that is on purpose";
     findFaces(
         VerifyRule::Flipped, [&](std::uint32_t t) { return isFlipped(t); }, "face is turned over",
         "faces are turned over", what);
@@ -118,10 +122,9 @@ class Finder {
     findFaces(
         VerifyRule::Empty,
         [&](std::uint32_t t) {
-          return layout_.measures.hasArea[t] &&
-                 (layout_.faults[t] & static_cast<std::uint8_t>(UvFault::Empty)) != 0;
+          return layout_.measures.hasArea[t] && hasFault(layout_.faults[t], UvFault::Empty);
         },
-        "face has no area in uv", "faces have no area in uv", "No texel shows them");
+        "face has no area in uv", "faces have no area in uv", "Unwrap again, or allow empty faces");
   }
 
   std::string overlapText(const IslandOverlap& pair) const {
@@ -132,7 +135,10 @@ class Finder {
                : pair.isStacked ? " cover the same place"
                                 : " overlap");
     out.append(", at faces ").append(std::to_string(faceOf(pair.triangles[0])));
-    return out.append(" and ").append(std::to_string(faceOf(pair.triangles[1])));
+    out.append(" and ").append(std::to_string(faceOf(pair.triangles[1])));
+    return out.append(pair.isOwn()     ? ". Cut it there"
+                      : pair.isStacked ? ". Allow stacked islands if that is on purpose"
+                                       : ". Pack the layout again");
   }
 
   void findOverlapping() {
@@ -158,9 +164,7 @@ class Finder {
     if (options_.allowOutsideTiles) return;
     findFaces(
         VerifyRule::Outside,
-        [&](std::uint32_t t) {
-          return (layout_.faults[t] & static_cast<std::uint8_t>(UvFault::Outside)) != 0;
-        },
+        [&](std::uint32_t t) { return hasFault(layout_.faults[t], UvFault::Outside); },
         "face is not within its tile", "faces are not within their tiles",
         options_.udim ? "Each island has to lie in one tile" : "u and v have to be from 0 to 1");
   }
@@ -201,7 +205,7 @@ class Finder {
       found.value = gap.distance;
       found.limit = limit;
       found.message = "islands " + std::to_string(gap.charts[0]) + " and " +
-                      std::to_string(gap.charts[1]) + " are " + shortText(gap.distance) +
+                      std::to_string(gap.charts[1]) + " are " + shortText(gap.distance, limit) +
                       " texels apart, at faces " + std::to_string(found.faces[0]) + " and " +
                       std::to_string(found.faces[1]) + "; " + askedText(options_.padding);
       out_.push_back(std::move(found));
@@ -242,7 +246,7 @@ class Finder {
         VerifyRule::Margin, limit, true,
         [&](std::uint32_t i) { return layout_.isOutside[i] ? limit : layout_.toEdge[i]; },
         [&](double value) {
-          return "is " + shortText(value) + " texels from the edge of its tile; " +
+          return "is " + shortText(value, limit) + " texels from the edge of its tile; " +
                  askedText(options_.margin);
         });
   }
@@ -252,8 +256,8 @@ class Finder {
         VerifyRule::Thin, options_.minIslandWidth, true,
         [&](std::uint32_t i) { return layout_.measures.islands[i].width; },
         [&](double value) {
-          return "is " + shortText(value) + " texels wide; " + shortText(options_.minIslandWidth) +
-                 " are asked for";
+          return "is " + shortText(value, options_.minIslandWidth) + " texels wide; " +
+                 shortText(options_.minIslandWidth) + " are asked for";
         });
   }
 
@@ -271,8 +275,8 @@ class Finder {
         isLeast ? "faces have too few texels" : "faces have too many texels", asked.c_str());
     out_.back().value = worst.value;
     out_.back().limit = limit;
-    out_.back().message +=
-        "; " + faceText(worst.triangle) + " has " + shortText(worst.value) + " texels per unit";
+    out_.back().message += "; " + faceText(worst.triangle) + " has " +
+                           shortText(worst.value, limit) + " texels per unit";
   }
 
   void findDensities() {
@@ -291,7 +295,7 @@ class Finder {
         VerifyRule::Stretch, options_.maxStretch, false,
         [&](std::uint32_t i) { return layout_.measures.islands[i].stretch; },
         [&](double value) {
-          return "has a stretch of " + shortText(value) + "; at most " +
+          return "has a stretch of " + shortText(value, options_.maxStretch) + "; at most " +
                  exactText(options_.maxStretch) + " is asked for";
         });
   }

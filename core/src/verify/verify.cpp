@@ -11,9 +11,9 @@
 #include "base/guarded.h"
 #include "base/listener.h"
 #include "base/stopwatch.h"
-#include "exact/orientation.h"
 #include "islands/check_places.h"
 #include "islands/find_islands.h"
+#include "islands/judge_faces.h"
 #include "mesh/triangulate.h"
 #include "verify/findings.h"
 #include "verify/outline_edges.h"
@@ -24,8 +24,6 @@ namespace {
 /// UDIM 1001 to 9999.
 constexpr std::uint32_t kAllTiles = 8999;
 
-constexpr std::uint8_t bit(UvFault fault) { return static_cast<std::uint8_t>(fault); }
-
 /// A tile by its column and row.
 struct TileAt {
   double column = 0, row = 0;
@@ -34,6 +32,9 @@ struct TileAt {
   double toEdge(const UvBox& box, const AtlasSize& size) const {
     return std::min({(box.low[0] - column) * size.width, (column + 1 - box.high[0]) * size.width,
                      (box.low[1] - row) * size.height, (row + 1 - box.high[1]) * size.height});
+  }
+  bool isOneOf(std::uint32_t tiles) const {
+    return isInTile({{column, row}, {column, row}}, tiles);
   }
   bool contains(const UvBox& box) const {
     return box.low[0] >= column && box.high[0] <= column + 1 && box.low[1] >= row &&
@@ -60,8 +61,7 @@ IslandPlaces placesOf(const IslandTriangles& islands, const VerifyOptions& optio
   for (std::uint32_t i = 0; i < islands.islands(); ++i) {
     const UvBox box = islands.box(i);
     const TileAt tile = tileOf(box, options.udim);
-    const bool exists =
-        isInTile({{tile.column, tile.row}, {tile.column, tile.row}}, options.udim ? kAllTiles : 1);
+    const bool exists = tile.isOneOf(options.udim ? kAllTiles : 1);
     out.tile.push_back(tile);
     out.isOutside.push_back(!exists || !tile.contains(box));
     out.toEdge.push_back(tile.toEdge(box, options.resolution));
@@ -82,31 +82,13 @@ std::vector<std::uint8_t> faultsOf(const MappedTriangles& triangles,
   std::vector<std::uint8_t> out(triangles.face.size());
   for (std::size_t t = 0; t < out.size(); ++t) {
     const double* uv = &triangles.inUv.uv[6 * t];
-    const int turn = orientation(uv, uv + 2, uv + 4);
     UvBox box;
     for (std::size_t k = 0; k < 3; ++k) box.add(uv + 2 * k);
     const bool isOutside = places.isOutside[island[t]] &&
                            (!places.tile[island[t]].contains(box) || places.toEdge[island[t]] >= 0);
-    out[t] = static_cast<std::uint8_t>((overlaps.overlapping[t] ? bit(UvFault::Overlapping) : 0) |
-                                       (turn < 0 ? bit(UvFault::Flipped) : 0) |
-                                       (turn == 0 ? bit(UvFault::Empty) : 0) |
-                                       (isOutside ? bit(UvFault::Outside) : 0));
+    out[t] = faultsAt(uv, overlaps.overlapping[t] != 0, isOutside);
   }
   return out;
-}
-
-void countFaces(const MappedTriangles& triangles, const std::vector<std::uint8_t>& faults,
-                VerifyReport& report) {
-  for (std::size_t t = 0; t < faults.size();) {
-    unsigned ofFace = 0;
-    const std::uint32_t face = triangles.face[t];
-    for (; t < faults.size() && triangles.face[t] == face; ++t) ofFace |= faults[t];
-    const auto has = [&](UvFault fault) { return std::size_t{(ofFace & bit(fault)) != 0}; };
-    report.facesOverlapping += has(UvFault::Overlapping);
-    report.facesFlipped += has(UvFault::Flipped);
-    report.facesEmpty += has(UvFault::Empty);
-    report.facesOutside += has(UvFault::Outside);
-  }
 }
 
 void countOverlaps(const FoundOverlaps& overlaps, VerifyReport& report) {
@@ -121,7 +103,7 @@ void countOverlaps(const FoundOverlaps& overlaps, VerifyReport& report) {
 void listTiles(const IslandPlaces& places, VerifyReport& report) {
   std::set<std::uint32_t> numbers;
   for (const TileAt& tile : places.tile)
-    if (isInTile({{tile.column, tile.row}, {tile.column, tile.row}}, kAllTiles))
+    if (tile.isOneOf(kAllTiles))
       numbers.insert(1001 + static_cast<std::uint32_t>(10 * tile.row + tile.column));
   report.tiles = {numbers.begin(), numbers.end()};
 }
@@ -195,7 +177,7 @@ Result<VerifyResult> verifyIslands(const PolygonMesh& mesh, const VerifyOptions&
   const LayoutMeasures measures = measureIslands(mesh, triangles, options.resolution);
   const IslandPlaces places = placesOf(triangles.inUv, options);
   if (!listener.tell(0.4)) return cancelled();
-  const FoundOverlaps overlaps = findOverlaps(triangles, measures, options.resolution);
+  const FoundOverlaps overlaps = findOverlaps(triangles, island, measures, options.resolution);
   if (!listener.tell(0.7)) return cancelled();
   OutlineEdges outlines = outlineEdges(triangles.inUv, options.resolution, overlaps.isOnAnother);
   partTiles(places, options.resolution, outlines);
@@ -207,7 +189,7 @@ Result<VerifyResult> verifyIslands(const PolygonMesh& mesh, const VerifyOptions&
     if (islands.ofFace[f] == kNoIsland) unmapped.push_back(f);
   report.islands = islands.count;
   report.unmapped = unmapped.size();
-  countFaces(triangles, faults, report);
+  countFaults(triangles.face, faults, report);
   countOverlaps(overlaps, report);
   listTiles(places, report);
   measureTotals(measures, overlaps, places, options, report);

@@ -1,6 +1,7 @@
 #include "islands/judge_faces.h"
 
 #include "abflat/generated/names.h"
+#include "abflat/generated/pack_report.h"
 #include "catch.h"
 
 using namespace abflat;
@@ -46,7 +47,7 @@ TEST_CASE("judge faces: a face counts once for each fault that any of its triang
   add(placed, 0.1, 0.3, 0.2, 0.2);
   placed.face = {3, 3, 5, 5, 7};
   PackReport report;
-  countFaults(placed, faultsOf(placed, 1), report);
+  countFaults(placed.face, faultsOf(placed, 1), report);
   CHECK(report.facesOverlapping == 3);
   CHECK(report.facesFlipped == 1);
   CHECK(report.facesEmpty == 0);
