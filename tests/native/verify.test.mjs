@@ -57,7 +57,10 @@ test('the exit code, the text and the report say whether a layout keeps to the r
   const bad = await verify(t, OVERLAPPING);
   assert.equal(bad.code, 1, bad.stderr);
   assert.equal(bad.stderr, '');
-  assert.match(bad.stdout, /overlapBetween: islands 0 and 1 overlap, at faces 0 and 1\. Pack the layout again\.\n/);
+  assert.match(
+    bad.stdout,
+    /overlapBetween: islands 0 and 1 overlap, at faces 0 and 1\. Pack the layout again\.\n/,
+  );
   assert.match(bad.stdout, /not valid: 1 finding/);
   const [{ rule, faces, islands, value }] = bad.report.findings;
   assert.deepEqual([rule, faces, islands, value], ['overlapBetween', [0, 1], [0, 1], null]);
