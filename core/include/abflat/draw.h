@@ -6,6 +6,7 @@
 #include "abflat/export.h"
 #include "abflat/flatten.h"
 #include "abflat/unwrap.h"
+#include "abflat/verify.h"
 
 namespace abflat {
 
@@ -76,5 +77,11 @@ ABFLAT_API std::string atlasSvg(const PolygonMesh& mesh, const UnwrapResult& res
 /// relative to the whole atlas: 1/2 and below blue, 1 white, 2 and above red, faces without area
 /// grey. Outlines and errors as in atlasPng.
 ABFLAT_API Result<std::string> heatMapPng(const PolygonMesh& mesh, const UnwrapResult& result);
+
+/// The layout that was verified as a PNG file with a pixel per texel, or smaller. Faces that
+/// overlap are vermilion, flipped ones blue, those outside of their tile yellow, and islands with
+/// another fault purple; faults too small to be seen have a ring. It shows the first tile and all
+/// that lies outside of it.
+ABFLAT_API Result<std::string> verifyPng(const PolygonMesh& mesh, const VerifyResult& result);
 
 }  // namespace abflat

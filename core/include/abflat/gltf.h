@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "abflat/appearance.h"
+#include "abflat/corner_attribute.h"
 #include "abflat/export.h"
 #include "abflat/mesh.h"
 #include "abflat/status.h"
@@ -42,6 +43,11 @@ struct GltfReadOptions {
 ABFLAT_API Result<GltfModel> readGltf(std::string_view bytes, const std::string& fileName,
                                       const ReadResource& readResource,
                                       const GltfReadOptions& options = {});
+
+/// What the file says about the corners of the mesh as it was read, beyond positions, normals,
+/// tangents, materials, and TEXCOORD_N of that N. Morph targets are among it.
+ABFLAT_API std::vector<CornerAttribute> gltfAttributes(const gltf::Source& source,
+                                                       std::size_t texcoord);
 
 /// A glTF repeats vertices where normals or texcoords change. Makes faces use the first vertex at
 /// each position, whatever object it is of, unless the mesh is already a disk, which may be because

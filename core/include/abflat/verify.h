@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "abflat/compare_meshes.h"
 #include "abflat/export.h"
 #include "abflat/generated/verify_options.h"
 #include "abflat/generated/verify_report.h"
@@ -29,6 +30,10 @@ struct VerifyResult {
 /// edge and its texcoords in common. n log n, but for layouts in which very many triangles overlap.
 /// Errors: InvalidMesh, EmptyMesh, NoTexcoords, Aborted.
 ABFLAT_API Result<VerifyResult> verifyLayout(const PolygonMesh& mesh, const VerifyOptions& options);
+
+/// Adds what distinguishes the mesh from another that it was made from to what was found.
+ABFLAT_API void addDifferences(const std::vector<MeshDifference>& differences,
+                               VerifyReport& report);
 
 /// The report as JSON text, indented by two spaces; keys as in docs/report.md.
 ABFLAT_API std::string verifyReportJson(const VerifyReport& report);

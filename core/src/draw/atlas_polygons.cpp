@@ -22,7 +22,7 @@ AtlasPolygons atlasPolygons(const PolygonMesh& mesh, const UnwrapResult& result,
   return out;
 }
 
-AtlasEdges atlasEdges(const AtlasPolygons& polygons, const UnwrapResult& result) {
+AtlasEdges atlasEdges(const AtlasPolygons& polygons, const std::vector<std::uint32_t>& cornerUv) {
   struct HalfEdge {
     std::array<std::uint32_t, 2> key;  ///< texcoords, the smaller one first
     std::array<std::uint32_t, 2> ends;
@@ -33,8 +33,8 @@ AtlasEdges atlasEdges(const AtlasPolygons& polygons, const UnwrapResult& result)
   for (std::uint32_t i = 0; i < polygons.count(); ++i) {
     const std::uint32_t begin = polygons.offsets[i], end = polygons.offsets[i + 1];
     for (std::uint32_t c = begin; c < end; ++c) {
-      const std::uint32_t a = result.cornerUv[polygons.corners[c]];
-      const std::uint32_t b = result.cornerUv[polygons.corners[c + 1 < end ? c + 1 : begin]];
+      const std::uint32_t a = cornerUv[polygons.corners[c]];
+      const std::uint32_t b = cornerUv[polygons.corners[c + 1 < end ? c + 1 : begin]];
       if (a != b) all.push_back({{std::min(a, b), std::max(a, b)}, {a, b}});
     }
   }

@@ -27,6 +27,6 @@ struct AtlasEdges {
   std::vector<std::array<std::uint32_t, 2>> inner;    ///< between two polygons of a chart
   std::vector<std::array<std::uint32_t, 2>> outline;  ///< of the charts, which are on their left
 };
-AtlasEdges atlasEdges(const AtlasPolygons& polygons, const UnwrapResult& result);
+AtlasEdges atlasEdges(const AtlasPolygons& polygons, const std::vector<std::uint32_t>& cornerUv);
 
 }  // namespace abflat

@@ -28,7 +28,7 @@ std::vector<ChartTrails> trailsByChart(const PolygonMesh& mesh, const UnwrapResu
   for (std::uint32_t i = 0; i < polygons.count(); ++i)
     for (std::uint32_t c = polygons.offsets[i]; c < polygons.offsets[i + 1]; ++c)
       chartOf[result.cornerUv[polygons.corners[c]]] = result.chartOfFace[polygons.face[i]];
-  const AtlasEdges edges = atlasEdges(polygons, result);
+  const AtlasEdges edges = atlasEdges(polygons, result.cornerUv);
   const auto distribute = [&](const std::vector<std::array<std::uint32_t, 2>>& pairs,
                               Trails ChartTrails::*kind) {
     std::vector<std::array<std::uint32_t, 4>> all;

@@ -93,7 +93,7 @@ void Band::fill(const std::vector<PixelPoint>& polygon, const Rgb& colour) {
 }
 
 void Band::draw(Line kind, const PixelPoint& from, const PixelPoint& to, double width) {
-  std::vector<float>& shares = lines_[kind == Line::Thin ? 0 : 1];
+  std::vector<float>& shares = lines_[static_cast<std::size_t>(kind)];
   const double reach = width / 2 + 0.5;  // from the middle of a pixel
   const int top = clamped(std::floor(std::min(from.y, to.y) - reach), firstRow_, firstRow_ + rows_);
   const int bottom =
@@ -112,7 +112,7 @@ void Band::draw(Line kind, const PixelPoint& from, const PixelPoint& to, double 
     }
 }
 
-std::vector<std::uint8_t> Band::rgba(const Rgb& ink, float thinOpacity, float thickOpacity) const {
+std::vector<std::uint8_t> Band::rgba(const BandInks& inks) const {
   std::vector<std::uint8_t> out;
   out.reserve(4 * areas_.size());
   for (std::size_t i = 0; i < areas_.size(); ++i) {
@@ -120,8 +120,9 @@ std::vector<std::uint8_t> Band::rgba(const Rgb& ink, float thinOpacity, float th
     // Layouts that overlap cover a pixel more than once.
     if (pixel[3] > 1)
       for (float& value : pixel) value /= areas_[i][3];
-    paint(pixel, ink, lines_[0][i] * thinOpacity);
-    paint(pixel, ink, lines_[1][i] * thickOpacity);
+    paint(pixel, inks.ink, lines_[0][i] * inks.thinOpacity);
+    paint(pixel, inks.ink, lines_[1][i] * inks.thickOpacity);
+    paint(pixel, inks.mark, lines_[2][i]);
     for (std::size_t d = 0; d < 3; ++d)
       out.push_back(pixel[3] > 0 ? toByte(pixel[d] / pixel[3]) : 0);
     out.push_back(toByte(pixel[3]));

@@ -14,8 +14,6 @@
 namespace abflat {
 namespace {
 
-constexpr std::size_t kMostListed = 100;
-
 std::string exactText(double x) {
   char chars[kMostDoubleChars];
   return {chars, writeDouble(chars, x)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "verify/find_overlaps.h"
 
 namespace abflat {
+
+/// Faces and islands of a finding, and findings of a rule.
+constexpr std::size_t kMostListed = 100;
 
 /// All that is known of a layout.
 struct JudgedLayout {

@@ -66,8 +66,9 @@ struct VerifyCommand {
   std::string input;
   bool allowsOutside = false;  ///< files that the mesh refers to may be anywhere
   GltfReadOptions gltf;
-  std::string rules;                 ///< file with further options; empty: none
-  std::string report, junit, sarif;  ///< empty: not wanted
+  std::string rules;                          ///< file with further options; empty: none
+  std::string against;                        ///< file to compare with; empty: none
+  std::string report, junit, sarif, picture;  ///< empty: not wanted
   VerifyOptionValues options;
   std::vector<bool> given;  ///< per option: not to be taken from the rules
   bool quiet = false;

@@ -1,4 +1,5 @@
 #include "arguments/options.h"
+#include "arguments/pictures.h"
 #include "arguments/subcommands.h"
 #include "files/paths.h"
 
@@ -16,6 +17,11 @@ CLI::App* addVerify(CLI::App& app, VerifyCommand& c) {
                  "counts instead"))
       ->type_name("FILE")
       ->check(notEmpty());
+  sub->add_option("--against", c.against,
+                  wrapped("the mesh that the file was made from: faces, vertices, their order, and "
+                          "all but the texcoords must be the same"))
+      ->type_name("FILE")
+      ->check(notEmpty());
   addOptions(*sub, c.options);
   addReadTexcoord(*sub, c.gltf.texcoord,
                   "glTF set with the layout to verify: TEXCOORD_0 to TEXCOORD_7");
@@ -26,6 +32,13 @@ CLI::App* addVerify(CLI::App& app, VerifyCommand& c) {
   };
   addFile("--junit", c.junit, "write JUnit XML with a test for each rule to this file");
   addFile("--sarif", c.sarif, "write what was found as SARIF 2.1.0 to this file");
+  sub->add_option("--picture", c.picture,
+                  wrapped("PNG of the layout with its faults: overlapping faces vermilion, flipped "
+                          "ones blue, those outside of their tile yellow, other islands purple; "
+                          "rings around what is small"))
+      ->type_name("FILE")
+      ->check(notEmpty())
+      ->check(pictureName({".png"}, ".png"));
   addQuiet(*sub, c.quiet);
   setUsage(*sub, "abflat verify IN [OPTIONS]");
   sub->footer(exitCodeHelp());
@@ -40,11 +53,13 @@ void noteGiven(const CLI::App& app, VerifyCommand& c) {
 
 void checkTogether(const VerifyCommand& c) {
   const std::pair<const char*, const std::string&> written[] = {
-      {"--report", c.report}, {"--junit", c.junit}, {"--sarif", c.sarif}};
+      {"--report", c.report}, {"--junit", c.junit}, {"--sarif", c.sarif}, {"--picture", c.picture}};
   for (const auto& [option, path] : written) {
     if (path.empty()) continue;
     if (replaces(path, c.input)) refuse(option, "would replace the input");
     if (!c.rules.empty() && replaces(path, c.rules)) refuse(option, "would replace the rules");
+    if (!c.against.empty() && replaces(path, c.against))
+      refuse(option, "would replace the mesh to compare with");
     for (const auto& [other, otherPath] : written)
       if (option != other && !otherPath.empty() && isSameTarget(path, otherPath))
         refuse(option, std::string("is the same file as ") + other);

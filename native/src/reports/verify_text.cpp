@@ -30,6 +30,13 @@ std::string tilesLine(const VerifyReport& report) {
   return report.tiles.size() > kMost ? out + " and more" : out;
 }
 
+/// Islands of one density differ by what rounding does.
+std::string differText(const VerifyReport& report) {
+  if (report.islands < 2) return "";
+  if (report.texelDensityRatio < 1.005) return "; the same in all islands";
+  return "; islands differ " + brief(report.texelDensityRatio) + " times";
+}
+
 }  // namespace
 
 std::string verifyText(const VerifyReport& report, const std::string& inputName) {
@@ -52,8 +59,7 @@ std::string verifyText(const VerifyReport& report, const std::string& inputName)
   if (!std::isnan(report.texelDensityMean))
     out << "  texel density: " << brief(report.texelDensityMean) << " texels per unit, from "
         << brief(report.texelDensityMin) << " to " << brief(report.texelDensityMax)
-        << (report.islands > 1 ? "; islands differ " + brief(report.texelDensityRatio) + " times\n"
-                               : "\n");
+        << differText(report) << "\n";
   if (!std::isnan(report.symmetricDirichlet))
     out << "  stretch: " << std::setprecision(4) << report.symmetricDirichlet << ", "
         << report.worstStretch << " of the worst island; angles: " << report.quasiConformalMean

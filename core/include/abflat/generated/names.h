@@ -141,6 +141,9 @@ enum class VerifyRule : std::uint8_t {
   Utilization = 12,  ///< islands cover too little of the tiles
   Islands = 13,  ///< there are too many islands
   Unmapped = 14,  ///< a face has no texcoords
+  Geometry = 15,  ///< faces are not those of the mesh that it is compared with
+  Order = 16,  ///< faces or vertices are in another order than in that mesh
+  Attributes = 17,  ///< normals, colors, materials or others are not those of that mesh
 };
 
 inline const char* nameOf(VerifyRule code) {
@@ -175,6 +178,12 @@ inline const char* nameOf(VerifyRule code) {
       return "islands";
     case VerifyRule::Unmapped:
       return "unmapped";
+    case VerifyRule::Geometry:
+      return "geometry";
+    case VerifyRule::Order:
+      return "order";
+    case VerifyRule::Attributes:
+      return "attributes";
   }
   return "";
 }
@@ -211,11 +220,17 @@ inline const char* textOf(VerifyRule code) {
       return "there are too many islands";
     case VerifyRule::Unmapped:
       return "a face has no texcoords";
+    case VerifyRule::Geometry:
+      return "faces are not those of the mesh that it is compared with";
+    case VerifyRule::Order:
+      return "faces or vertices are in another order than in that mesh";
+    case VerifyRule::Attributes:
+      return "normals, colors, materials or others are not those of that mesh";
   }
   return "";
 }
 
-constexpr int kVerifyRuleCount = 15;
+constexpr int kVerifyRuleCount = 18;
 
 /// A method of compare.
 enum class MethodKey : std::uint8_t {

@@ -62,6 +62,8 @@ void visitFields(const VerifyTimings& r, Visitor& v) {
 struct VerifyReport {
   /// Name of the input.
   std::string path;
+  /// The mesh that it is compared with, empty if there is none.
+  std::string against;
   /// The input.
   MeshSummary input;
   /// The options as asked.
@@ -132,6 +134,7 @@ struct VerifyReport {
 
 template <class Visitor>
 void visitFields(const VerifyReport& r, Visitor& v) {
+  v.field("against", r.against);
   v.inputSummary("input", r);
   v.options("options", r.options);
   v.field("islands", r.islands);
