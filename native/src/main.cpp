@@ -21,6 +21,7 @@ struct Runner {
   int operator()(const PackCommand& command) const { return runPack(command); }
   int operator()(const BakeCommand& command) const { return runBake(command); }
   int operator()(const VerifyCommand& command) const { return runVerify(command); }
+  int operator()(const BatchCommand& command) const { return runBatch(command); }
   int operator()(const InspectCommand& command) const { return runInspect(command); }
   int operator()(const SampleCommand& command) const { return runSample(command); }
   int operator()(const SweepCommand& command) const { return runSweep(command); }

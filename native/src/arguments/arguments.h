@@ -24,6 +24,7 @@ struct Baking {
 
 struct UnwrapCommand {
   std::string input, output;
+  std::string movedTo;                  ///< where the output will lie; empty: where it is written
   bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
   std::optional<std::size_t> texcoord;  ///< number of the glTF set to write; none: auto
   GltfReadOptions gltf;
@@ -43,6 +44,7 @@ struct UnwrapCommand {
 
 struct PackCommand {
   std::string input, output;
+  std::string movedTo;                  ///< where the output will lie; empty: where it is written
   bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
   std::optional<std::size_t> texcoord;  ///< number of the glTF set to write; none: the one read
   GltfReadOptions gltf;
@@ -55,7 +57,8 @@ struct PackCommand {
 
 struct BakeCommand {
   std::string input, output;
-  bool allowsOutside = false;               ///< files that the mesh refers to may be anywhere
+  std::string movedTo;         ///< where the output will lie; empty: where it is written
+  bool allowsOutside = false;  ///< files that the mesh refers to may be anywhere
   std::optional<std::size_t> texcoord = 1;  ///< number of the glTF set with the new layout
   std::string report;                       ///< empty: not wanted
   BakeOptionValues options;
@@ -76,6 +79,7 @@ struct VerifyCommand {
 
 struct FlattenCommand {
   std::string input, output;
+  std::string movedTo;                  ///< where the output will lie; empty: where it is written
   bool allowsOutside = false;           ///< files that the mesh refers to may be anywhere
   std::optional<std::size_t> texcoord;  ///< number of the glTF set to write; none: auto
   std::string report;                   ///< empty: not wanted
@@ -120,16 +124,53 @@ struct ReproduceCommand {
   bool quiet = false;
 };
 
+/// A word that a command takes for one of its options, and its value unless it is a switch.
+struct GivenOption {
+  std::string flag;
+  std::optional<std::string> value;
+};
+
+struct BatchCommand {
+  std::vector<std::string> inputs;  ///< files, folders, globs; "-": a list on standard input
+  std::vector<std::string> lists;   ///< files with a list
+  std::string out;
+  std::string run = "unwrap";
+  std::vector<GivenOption> options;  ///< of the command that is run
+  std::string ending;      ///< of results, such as ".glb"; empty: as the input, if it can be
+  std::size_t jobs = 0;    ///< 0: one per processor
+  double timeLimit = 0;    ///< seconds per mesh; 0: none
+  double memoryLimit = 0;  ///< MB per mesh; 0: none
+  double totalMemory = 0;  ///< MB of all together; 0: most of what is free
+  std::size_t shard = 0, shards = 1;
+  bool resume = false, dryRun = false, merge = false, quiet = false;
+  bool pictures = true;
+};
+
 /// Everything has been printed already (help, version, a usage error).
 struct Finished {
   int exitCode = 0;
 };
 
-using Command =
-    std::variant<Finished, UnwrapCommand, FlattenCommand, PackCommand, BakeCommand, VerifyCommand,
-                 InspectCommand, SampleCommand, SweepCommand, CompareCommand, ReproduceCommand>;
+using Command = std::variant<Finished, UnwrapCommand, FlattenCommand, PackCommand, BakeCommand,
+                             VerifyCommand, BatchCommand, InspectCommand, SampleCommand,
+                             SweepCommand, CompareCommand, ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);
+
+/// The command of these words, without the name of the program. Errors: InvalidOption.
+Result<Command> parseWords(const std::vector<std::string>& words);
+
+/// Files that a command reads besides its mesh.
+std::vector<std::string> filesReadBy(const Command& command);
+
+/// An option of a command that batch passes on.
+struct OptionOfCommand {
+  std::string flag;
+  bool hasValue = false;
+};
+
+/// Those of a command, which is one of unwrap, flatten, pack, bake, verify.
+std::vector<OptionOfCommand> optionsOfCommand(const std::string& command);
 
 }  // namespace abflat::cli

@@ -11,6 +11,7 @@ CLI::App* addBake(CLI::App& app, BakeCommand& c) {
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
+  addMovedTo(*sub, c.movedTo);
   sub->add_option_function<std::string>(
          "--texcoord",
          [&c](const std::string& text) { c.texcoord = texcoordSet("--texcoord", text, ""); },

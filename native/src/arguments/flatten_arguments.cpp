@@ -9,6 +9,7 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c) {
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
+  addMovedTo(*sub, c.movedTo);
   addOptions(*sub, c.options);
   sub->add_option(
          "--bounds", c.bounds,

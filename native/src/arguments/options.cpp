@@ -102,6 +102,12 @@ void addOutput(CLI::App& app, std::string& output) {
       ->type_name("OUT");
 }
 
+void addMovedTo(CLI::App& app, std::string& path) {
+  app.add_option("--moved-to", path, "where OUT will lie: files that it names are named from there")
+      ->check(notEmpty())
+      ->group("");
+}
+
 void addPins(CLI::App& app, std::string& pins, const std::string& where) {
   app.add_option("--pins", pins,
                  wrapped("text file that pins vertices to uv" + where +

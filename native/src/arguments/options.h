@@ -27,6 +27,8 @@ CLI::Validator numberCheck(const std::string& range, bool (*isValid)(double));
 
 void addInput(CLI::App& app, std::string& input);
 void addOutput(CLI::App& app, std::string& output);
+/// Where the output will lie; other programs than batch do not need it.
+void addMovedTo(CLI::App& app, std::string& path);
 /// `where`: words that describe their uv.
 void addPins(CLI::App& app, std::string& pins, const std::string& where);
 /// None means auto.

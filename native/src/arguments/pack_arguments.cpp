@@ -12,6 +12,7 @@ CLI::App* addPack(CLI::App& app, PackCommand& c) {
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
+  addMovedTo(*sub, c.movedTo);
   addLayoutPicture(*sub, c.layout);
   addOptions(*sub, c.options);
   addBaking(*sub, c.baking);

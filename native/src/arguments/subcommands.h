@@ -11,6 +11,8 @@ CLI::App* addFlatten(CLI::App& app, FlattenCommand& c);
 CLI::App* addPack(CLI::App& app, PackCommand& c);
 CLI::App* addBake(CLI::App& app, BakeCommand& c);
 CLI::App* addVerify(CLI::App& app, VerifyCommand& c);
+/// `run`: the command that is run, whose options are options of batch, too.
+CLI::App* addBatch(CLI::App& app, BatchCommand& c, const std::string& run);
 CLI::App* addInspect(CLI::App& app, InspectCommand& c);
 CLI::App* addSample(CLI::App& app, SampleCommand& c);
 CLI::App* addSweep(CLI::App& app, SweepCommand& c);
@@ -27,6 +29,7 @@ void checkTogether(const FlattenCommand& c);
 void checkTogether(const PackCommand& c);
 void checkTogether(const BakeCommand& c);
 void checkTogether(const VerifyCommand& c);
+void checkTogether(const BatchCommand& c);
 void checkTogether(const SweepCommand& c);
 void checkTogether(const CompareCommand& c);
 

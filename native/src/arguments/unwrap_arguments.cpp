@@ -79,6 +79,7 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   sub->group("Commands");
   addInput(*sub, c.input);
   addOutput(*sub, c.output);
+  addMovedTo(*sub, c.movedTo);
   sub->add_option_function<std::string>(
          "--seams", [&c](const std::string& text) { setSeams(text, c); },
          wrapped("where to cut, separated by commas: auto = where a chart would stretch too much "

@@ -10,6 +10,7 @@ int runFlatten(const FlattenCommand& command);
 int runPack(const PackCommand& command);
 int runBake(const BakeCommand& command);
 int runVerify(const VerifyCommand& command);
+int runBatch(const BatchCommand& command);
 int runInspect(const InspectCommand& command);
 int runSample(const SampleCommand& command);
 int runSweep(const SweepCommand& command);

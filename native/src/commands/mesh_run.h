@@ -300,7 +300,7 @@ class MeshRun {
       if constexpr (Job::kBakes)
         if (lookObj_) return lookObj_->text(input_.mesh, Job::newLayout(result, turned.value()));
       return layoutText(
-          input_, command_.output, texcoord_,
+          input_, command_.movedTo.empty() ? command_.output : command_.movedTo, texcoord_,
           {result.uv, result.cornerUv, Job::triangleCorners(input_.mesh, result), turned.value(),
            baked.value() ? &*baked.value() : nullptr, obj_.has_value()});
     });

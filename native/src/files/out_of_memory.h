@@ -3,14 +3,22 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "abflat/status.h"
 
 namespace abflat::cli {
 
+constexpr std::string_view kOutOfMemory =
+    ": not enough memory. Use a smaller mesh or a machine with more memory";
+
 inline Status outOfMemory(const std::string& place) {
-  return {StatusCode::OutOfMemory,
-          place + ": not enough memory. Use a smaller mesh or a machine with more memory"};
+  return {StatusCode::OutOfMemory, place + std::string(kOutOfMemory)};
+}
+
+/// Whether a message is that of such a status.
+inline bool isOutOfMemory(const std::string& message) {
+  return message.find(kOutOfMemory) != std::string::npos;
 }
 
 /// Runs `work`, which returns a Result, and names the place where memory ran out, be it in the

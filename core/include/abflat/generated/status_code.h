@@ -6,8 +6,8 @@ namespace abflat {
 
 /// What the command line program returns.
 enum class ExitCode : int {
-  Valid = 0,  ///< a valid result was written; of verify: nothing was found
-  NotValid = 1,  ///< a result was written, but it is not valid or the solver did not converge; the report says why; of verify: something was found
+  Valid = 0,  ///< a valid result was written; of verify: nothing was found; of batch: that of every mesh
+  NotValid = 1,  ///< a result was written, but it is not valid or the solver did not converge; the report says why; of verify: something was found; of batch: a mesh has no valid result; the manifest says why
   Usage = 2,  ///< the command line is wrong
   Unreadable = 3,  ///< the input cannot be read; the message says where and why
   NotFlattenable = 4,  ///< the mesh cannot be flattened, or cannot be packed as asked; the message says why
@@ -171,9 +171,9 @@ inline int exitCodeOf(StatusCode code) {
 inline const char* exitCodeText(ExitCode code) {
   switch (code) {
     case ExitCode::Valid:
-      return "a valid result was written; of verify: nothing was found";
+      return "a valid result was written; of verify: nothing was found; of batch: that of every mesh";
     case ExitCode::NotValid:
-      return "a result was written, but it is not valid or the solver did not converge; the report says why; of verify: something was found";
+      return "a result was written, but it is not valid or the solver did not converge; the report says why; of verify: something was found; of batch: a mesh has no valid result; the manifest says why";
     case ExitCode::Usage:
       return "the command line is wrong";
     case ExitCode::Unreadable:

@@ -1,0 +1,153 @@
+#include "batch/finished_task.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include "abflat/version.h"
+#include "batch/digest.h"
+#include "batch/report_summary.h"
+#include "files/out_of_memory.h"
+#include "files/read_file.h"
+
+namespace abflat::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string numberWords(double x) {
+  std::ostringstream out;
+  out << x;
+  return out.str();
+}
+
+/// The last sentence that the program has said of itself.
+std::string reasonIn(const std::string& said) {
+  const std::string lead = "abflat: ";
+  std::istringstream lines(said);
+  std::string out;
+  for (std::string line; std::getline(lines, line);)
+    if (line.compare(0, lead.size(), lead) == 0) out = line.substr(lead.size());
+  return out;
+}
+
+MeshStatus statusOfExit(int code) {
+  switch (static_cast<ExitCode>(code)) {
+    case ExitCode::Valid:
+      return MeshStatus::Done;
+    case ExitCode::NotValid:
+      return MeshStatus::NotValid;
+    case ExitCode::Usage:
+      return MeshStatus::Usage;
+    case ExitCode::Unreadable:
+      return MeshStatus::Unreadable;
+    case ExitCode::NotFlattenable:
+      return MeshStatus::NotFlattenable;
+    case ExitCode::CannotWrite:
+      return MeshStatus::CannotWrite;
+  }
+  return MeshStatus::Crashed;
+}
+
+void explainSignal(const TaskEnd& end, ManifestLine& line) {
+  if (end.timeLimit > 0) {
+    line.status = MeshStatus::TimeLimit;
+    line.limit = end.timeLimit;
+    line.message = "took longer than " + numberWords(end.timeLimit) + " s";
+    return;
+  }
+  line.status = MeshStatus::Crashed;
+  line.message = "was ended by signal " + std::to_string(end.child.signal) + " (" +
+                 strsignal(end.child.signal) + ")";
+}
+
+void explainExit(const TaskEnd& end, const std::string& said, ManifestLine& line) {
+  line.status = statusOfExit(end.child.exitCode);
+  line.message = reasonIn(said);
+  if (line.status == MeshStatus::Crashed)
+    line.message = "ended with exit code " + std::to_string(end.child.exitCode) + ": " + said;
+  if (!isOutOfMemory(line.message)) return;
+  line.status = end.memoryLimit > 0 ? MeshStatus::MemoryLimit : MeshStatus::OutOfMemory;
+  line.limit = end.memoryLimit;
+  if (end.memoryLimit > 0)
+    line.message = "needs more memory than " + numberWords(end.memoryLimit) + " MB";
+}
+
+Status moveFile(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_directories(to.parent_path(), error);
+  if (!error) fs::rename(from, to, error);
+  if (!error) return {};
+  return {StatusCode::CannotWrite, "cannot write " + to.string() + ": " + error.message()};
+}
+
+/// The files of a folder, the mesh last, so that it never lacks what it needs.
+std::vector<fs::path> filesOf(const WorkPlace& place) {
+  std::vector<fs::path> out;
+  std::error_code ignored;  // an empty list
+  for (const fs::directory_entry& entry : fs::directory_iterator(place.results, ignored))
+    if (entry.path() != fs::path(place.mesh)) out.push_back(entry.path());
+  std::sort(out.begin(), out.end());
+  out.emplace_back(place.mesh);
+  return out;
+}
+
+Status takeResults(const Task& task, const WorkPlace& place, const fs::path& out,
+                   ManifestLine& line) {
+  const fs::path below = fs::path(task.output).parent_path();
+  for (const fs::path& from : filesOf(place)) {
+    const fs::path name = below / from.filename();
+    const Result<Digest> digest = fileDigest(from.string());
+    if (!digest.ok()) return digest.status();
+    line.files.push_back({name.generic_string(), digest.value().text()});
+    if (Status s = moveFile(from, out / name); !s.ok()) return s;
+  }
+  std::rotate(line.files.begin(), line.files.end() - 1, line.files.end());
+  std::error_code ignored;  // no picture was drawn
+  if (!fs::exists(place.layout, ignored)) return {};
+  line.layout = pictureOf(task);
+  return moveFile(place.layout, out / line.layout);
+}
+
+ManifestLine lineOf(const Task& task) {
+  ManifestLine out;
+  out.name = task.input.name;
+  out.input = task.input.path;
+  out.inputHash = task.inputHash;
+  out.optionsHash = task.optionsHash;
+  out.version = ABFLAT_VERSION;
+  return out;
+}
+
+}  // namespace
+
+ManifestLine finishedTask(const Task& task, const WorkPlace& place, const TaskEnd& end,
+                          const std::string& out) {
+  ManifestLine line = lineOf(task);
+  line.seconds = end.seconds;
+  line.peakMemory = end.child.peakMemory;
+  const Result<std::string> said = readBytes(place.said);
+  if (end.child.signal != 0)
+    explainSignal(end, line);
+  else
+    explainExit(end, said.ok() ? said.value() : "", line);
+  if (line.status != MeshStatus::Done && line.status != MeshStatus::NotValid) return line;
+  const Result<std::string> report = readBytes(place.report);
+  if (report.ok()) line.summary = reportSummary(report.value());
+  if (task.output.empty()) return line;
+  const Status taken = takeResults(task, place, out, line);
+  if (taken.ok()) return line;
+  line.status = MeshStatus::CannotWrite;
+  line.message = taken.message;
+  return line;
+}
+
+ManifestLine untriedTask(const Task& task, const Status& reason) {
+  ManifestLine out = lineOf(task);
+  out.status = statusOfExit(exitCodeOf(reason.code));
+  out.message = reason.message;
+  return out;
+}
+
+}  // namespace abflat::cli
