@@ -1,0 +1,458 @@
+// abflat batch: many meshes by one command, whatever happens to it.
+
+import assert from 'node:assert/strict';
+import {
+  chmodSync,
+  cpSync,
+  existsSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { filesBelow, hasResults, lasting, manifestOf, untilLines } from '../support/batches.mjs';
+import { writeManyMeshes } from '../support/many-meshes.mjs';
+import { isInstrumented, runAbflat, startAbflat } from '../support/run-abflat.mjs';
+import { CUBE, grid, TRIANGLE } from '../support/small-meshes.mjs';
+import { objText, torus } from '../support/surfaces.mjs';
+import { tempFolder } from '../support/temp-folder.mjs';
+
+/** Runs batch in a folder with files; `files` are their texts by name. */
+function inFolder(t, files) {
+  const at = tempFolder(t);
+  for (const [name, text] of Object.entries(files)) lasting(at(name), text);
+  const batch = (...args) => runAbflat(['batch', ...args], { cwd: at() });
+  return { at, batch };
+}
+
+const namesIn = (folder) => manifestOf(folder).map(({ name }) => name);
+
+test('files, folders, patterns and lists name meshes, each once', async (t) => {
+  const { at, batch } = inFolder(t, {
+    'one.obj': CUBE,
+    'in/two.obj': grid(2),
+    'in/deep/three.obj': grid(3),
+    'in/deep/notes.txt': 'no mesh',
+    'in/.hidden/four.obj': CUBE,
+    'lists/all.txt': '# two meshes\n../one.obj\n../in/two.obj\n',
+  });
+  const runs = [
+    [['one.obj'], ['one.obj']],
+    [['in'], ['deep/three.obj', 'two.obj']],
+    [['in/*.obj'], ['in/two.obj']],
+    [['in/**/*.obj'], ['in/deep/three.obj', 'in/two.obj']],
+    [['in/**/t[hx]ree.ob?'], ['in/deep/three.obj']],
+    [
+      ['--from', 'lists/all.txt'],
+      ['in/two.obj', 'one.obj'],
+    ],
+    [
+      ['in', 'in/../in/two.obj', './one.obj', 'one.obj'],
+      ['deep/three.obj', 'in/two.obj', 'one.obj'],
+    ],
+  ];
+  for (const [i, [args, names]] of runs.entries()) {
+    const run = await batch(...args, '--out', `out${i}`);
+    assert.equal(run.code, 0, run.stderr);
+    assert.deepEqual(namesIn(at(`out${i}`)), names);
+    for (const name of names) assert.match(readFileSync(at(`out${i}/${name}`), 'utf8'), /^vt /m);
+  }
+  const listed = await runAbflat(['batch', '-', '--out', 'out'], {
+    cwd: at(),
+    input: 'one.obj\nin/two.obj\n',
+  });
+  assert.equal(listed.code, 0, listed.stderr);
+  assert.deepEqual(namesIn(at('out')), ['in/two.obj', 'one.obj']);
+});
+
+for (const [kind, list] of [
+  ['CSV', 'input,padding,rectify,udim\n"a.obj",7,never,\nb.obj,,,false\n'],
+  ['JSON Lines', '{"input": "a.obj", "padding": 7, "rectify": "never"}\n\n{"input": "b.obj"}\n'],
+])
+  test(`a list in ${kind} has options of single meshes`, async (t) => {
+    const { at, batch } = inFolder(t, { 'a.obj': CUBE, 'b.obj': CUBE, list });
+    const options = ['--padding', '3', '--resolution', '256'];
+    const run = await batch('--from', 'list', '--out', 'out', ...options);
+    assert.equal(run.code, 0, run.stderr);
+    for (const [name, padding] of [
+      ['a', 7],
+      ['b', 3],
+    ]) {
+      const own = [
+        ...options.slice(2),
+        '--padding',
+        padding,
+        '--rectify',
+        name === 'a' ? 'never' : 'auto',
+      ];
+      await runAbflat(['unwrap', `${name}.obj`, '-o', 'single.obj', ...own.map(String)], {
+        cwd: at(),
+      });
+      assert.equal(
+        readFileSync(at(`out/${name}.obj`), 'utf8'),
+        readFileSync(at('single.obj'), 'utf8'),
+      );
+    }
+  });
+
+test('results are those of the command, in the format that is asked for', async (t) => {
+  const { at, batch } = inFolder(t, {
+    'in/a.obj': CUBE,
+    'in/b.off': 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n',
+  });
+  assert.equal((await batch('in', '--out', 'own')).code, 0);
+  assert.deepEqual(hasResults(at('own')), ['a.obj', 'b.glb']);
+  assert.equal((await batch('in', '--out', 'ply', '--format', 'ply', '--no-pictures')).code, 0);
+  assert.deepEqual(hasResults(at('ply')), ['a.ply', 'b.ply']);
+  assert.equal(existsSync(at('ply/layouts')), false);
+  await runAbflat(['unwrap', 'in/a.obj', '-o', 'a.ply'], { cwd: at() });
+  assert.deepEqual(readFileSync(at('ply/a.ply')), readFileSync(at('a.ply')));
+  assert.equal((await batch('own', '--run', 'pack', '--out', 'packed', '--padding', '4')).code, 0);
+  assert.equal((await batch('in/a.obj', '--run', 'flatten', '--out', 'flat')).code, 1);
+  assert.equal(manifestOf(at('flat'))[0].status, 'notFlattenable');
+});
+
+test('a glTF names its files from where it will lie', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/deep/a.obj': CUBE });
+  await runAbflat(['unwrap', 'in/deep/a.obj', '-o', 'in/deep/a.gltf'], { cwd: at() });
+  const gltf = JSON.parse(readFileSync(at('in/deep/a.gltf'), 'utf8'));
+  gltf.images = [{ uri: 'a.png' }];
+  gltf.textures = [{ source: 0 }];
+  gltf.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0, texCoord: 0 } } }];
+  gltf.meshes[0].primitives[0].material = 0;
+  writeFileSync(at('in/deep/a.gltf'), JSON.stringify(gltf));
+  rmSync(at('in/deep/a.obj'));
+  const run = await batch('in', '--out', 'out');
+  assert.equal(run.code, 0, run.stdout + run.stderr);
+  const { images } = JSON.parse(readFileSync(at('out/deep/a.gltf'), 'utf8'));
+  assert.equal(join('out/deep', images[0].uri), 'in/deep/a.png');
+});
+
+test('verify writes no meshes, and the manifest says what it has found', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'rules.json': '{ "padding": 500 }' });
+  assert.equal((await batch('in', '--out', 'uv')).code, 0);
+  const good = await batch('uv', '--run', 'verify', '--out', 'good');
+  assert.equal(good.code, 0, good.stdout + good.stderr);
+  const bad = await batch('uv', '--run', 'verify', '--out', 'bad', '--rules', 'rules.json');
+  assert.equal(bad.code, 1);
+  assert.deepEqual(filesBelow(at('bad')), ['manifest.jsonl', 'report.html']);
+  const [{ status, summary }] = manifestOf(at('bad'));
+  assert.equal(status, 'notValid');
+  assert.ok(summary.findings.every(({ message }) => message.length > 10));
+  assert.match(readFileSync(at('bad/report.html'), 'utf8'), /class="why">padding/);
+});
+
+test('a broken mesh has a reason, and does not keep others from theirs', async (t) => {
+  const { at, batch } = inFolder(t, {});
+  const made = writeManyMeshes(at('in'), { count: 30, most: 60, broken: 0.25 });
+  const run = await batch('in', '--out', 'out');
+  assert.equal(run.code, 1);
+  const lines = manifestOf(at('out'));
+  assert.deepEqual(
+    lines.map(({ name }) => name),
+    made.map(({ name }) => name).sort(),
+  );
+  for (const { name, broken } of made) {
+    const { status, message, files } = lines.find((line) => line.name === name);
+    const expected = { undefined: 'done', 'no faces': 'notFlattenable' }[broken] ?? 'unreadable';
+    assert.equal(status, expected, `${name}: ${message}`);
+    assert.equal(message !== '', broken !== undefined);
+    assert.equal(files.length, broken ? 0 : 1);
+  }
+  assert.match(run.stdout, /^done +22 /m);
+  assert.match(run.stdout, /^unreadable +7 /m);
+  assert.match(run.stdout, /^notFlattenable +1 /m);
+});
+
+test('a file of a list that is missing fails alone', async (t) => {
+  const { at, batch } = inFolder(t, { 'a.obj': CUBE, list: 'a.obj\ngone.obj\n' });
+  assert.equal((await batch('--from', 'list', '--out', 'out')).code, 1);
+  assert.deepEqual(
+    manifestOf(at('out')).map(({ name, status }) => [name, status]),
+    [
+      ['a.obj', 'done'],
+      ['gone.obj', 'unreadable'],
+    ],
+  );
+});
+
+test('--resume skips what is done with the same content and options, and nothing else', async (t) => {
+  const { at, batch } = inFolder(t, {
+    'in/a.obj': CUBE,
+    'in/b.obj': grid(2),
+    'in/c.obj': 'broken',
+  });
+  const todo = async (...options) => {
+    const run = await batch('in', '--out', 'out', '--resume', '--dry-run', ...options);
+    assert.equal(run.code, 0, run.stderr);
+    return [...run.stdout.matchAll(/^unwrap in\/(\S+)/gm)].map(([, name]) => name);
+  };
+  assert.deepEqual(await todo(), ['a.obj', 'b.obj', 'c.obj']);
+  assert.equal(existsSync(at('out')), false);
+  await batch('in', '--out', 'out');
+  const before = readFileSync(at('out/manifest.jsonl'), 'utf8');
+  assert.deepEqual(await todo(), []);
+  assert.deepEqual(await todo('--threads', '2'), []);
+  assert.deepEqual(await todo('--padding', '5'), ['a.obj', 'b.obj', 'c.obj']);
+  assert.equal((await batch('in', '--out', 'out', '--resume')).code, 1);
+  assert.equal(readFileSync(at('out/manifest.jsonl'), 'utf8'), before);
+
+  rmSync(at('out/a.obj'));
+  assert.deepEqual(await todo(), ['a.obj']);
+  await batch('in', '--out', 'out', '--resume');
+  writeFileSync(at('out/b.obj'), 'changed');
+  writeFileSync(at('in/c.obj'), TRIANGLE);
+  assert.deepEqual(await todo(), ['b.obj', 'c.obj']);
+  assert.equal((await batch('in', '--out', 'out', '--resume')).code, 0);
+  assert.match(readFileSync(at('out/b.obj'), 'utf8'), /^vt /m);
+
+  // What has no result any more keeps none of an earlier one.
+  writeFileSync(at('in/a.obj'), '');
+  assert.equal((await batch('in', '--out', 'out', '--resume')).code, 1);
+  assert.deepEqual(hasResults(at('out')), ['b.obj', 'c.obj']);
+});
+
+test('files that options name are part of the options', async (t) => {
+  const { batch, at } = inFolder(t, { 'a.obj': CUBE, seams: '0 1\n' });
+  const options = ['a.obj', '--out', 'out', '--seams', 'auto,file=seams', '--resume'];
+  await batch(...options);
+  assert.match((await batch(...options, '--dry-run')).stdout, /^0 to do, 1 done/m);
+  writeFileSync(at('seams'), '0 1\n1 2\n');
+  assert.match((await batch(...options, '--dry-run')).stdout, /^1 to do, 0 done/m);
+});
+
+test('a folder with results is not written to by accident', async (t) => {
+  const { at, batch } = inFolder(t, { 'a.obj': CUBE, 'mine/a.obj': 'mine' });
+  await batch('a.obj', '--out', 'out');
+  const again = await batch('a.obj', '--out', 'out');
+  assert.equal(again.code, 2);
+  assert.match(again.stderr, /earlier run\. Add --resume/);
+  const mine = await batch('a.obj', '--out', 'mine', '--resume');
+  assert.equal(mine.code, 2);
+  assert.match(mine.stderr, /mine\/a\.obj is there already/);
+  assert.equal(readFileSync(at('mine/a.obj'), 'utf8'), 'mine');
+  assert.deepEqual(filesBelow(at('mine')), ['a.obj']);
+});
+
+/** Arguments that are refused before anything is written, and what is said. */
+const REFUSED = [
+  [['nothing.obj'], 3, /there is no file nothing\.obj/],
+  [['*.glb'], 3, /no file is like \*\.glb/],
+  [['empty'], 3, /no mesh in the folder empty/],
+  [['--from', 'empty.txt'], 3, /the list names no mesh/],
+  [['--from', 'gone.txt'], 3, /gone\.txt/],
+  [['--from', 'odd.csv'], 3, /odd\.csv:3: there are 1 cells, but 2 columns/],
+  [['--from', 'word.csv'], 2, /word\.csv:2: there is no option "colour"/],
+  [['--from', 'wrong.csv'], 2, /a\.obj: --padding: 'much' is not a number/],
+  [
+    ['a.obj', 'b.stl', '--format', 'glb', 'b.off'],
+    2,
+    /b\.off and b\.stl would both be out\/b\.glb/,
+  ],
+  [['.', '--out', '.'], 2, /lies where the results go/],
+  [['a.obj', '--padding', '-1'], 2, /--padding: must be a number/],
+  [['a.obj', '--report', 'r.json'], 2, /--report: batch names the files of each mesh itself/],
+  [['a.obj', '-o', 'x.obj'], 2, /--output: batch names/],
+  [['a.obj', '--what'], 2, /no option '--what'/],
+  [['a.obj', '--run', 'inspect'], 2, /--run/],
+  [['a.obj', '--run', 'flatten', '--stack', 'none'], 2, /no option '--stack'/],
+  [['a.obj', '--format', 'off'], 2, /'off' cannot be written\. Use obj, ply, glb or gltf/],
+  [['a.obj', '--shard', '4/4'], 2, /--shard: '4\/4' is not a part/],
+  [['a.obj', '--jobs', '0'], 2, /--jobs: must be a whole number/],
+  [['a.obj', '--time-limit', '0'], 2, /--time-limit: must be a number above 0/],
+  [['a.obj', '--memory-limit', 'much'], 2, /--memory-limit: must be a number of MB/],
+  [['a.obj', '--seams', 'file=-'], 2, /cannot all read standard input/],
+  [['a.obj', '--merge'], 2, /--merge: takes nothing but --out/],
+  [['-', '--from', '-'], 2, /standard input can be read only once/],
+  [[], 2, /no mesh is named/],
+];
+
+for (const [args, code, sentence] of REFUSED)
+  test(`"abflat batch ${args.join(' ')}" is refused`, async (t) => {
+    const { at, batch } = inFolder(t, {
+      'a.obj': CUBE,
+      'b.stl': 'solid\nendsolid\n',
+      'b.off': 'OFF\n',
+      'empty/notes.txt': '',
+      'empty.txt': '# nothing\n',
+      'odd.csv': 'input,padding\na.obj,1\na.obj\n',
+      'word.csv': 'input,colour\na.obj,red\n',
+      'wrong.csv': 'input,padding\na.obj,much\n',
+    });
+    const before = filesBelow(at());
+    const out = args.includes('--out') ? [] : ['--out', 'out'];
+    const run = await batch(...args, ...out);
+    assert.equal(run.code, code, run.stderr);
+    assert.match(run.stderr, sentence);
+    assert.match(run.stderr, /^abflat: [^\n]+\n(Run 'abflat batch --help' for usage\.\n)?$/);
+    assert.deepEqual(filesBelow(at()), before);
+  });
+
+test('parts make the same manifest as the whole', async (t) => {
+  const { at, batch } = inFolder(t, {});
+  writeManyMeshes(at('in'), { count: 24, most: 60, broken: 0.1 });
+  await batch('in', '--out', 'whole');
+  for (const part of [2, 0]) await batch('in', '--out', 'parts', '--shard', `${part}/3`);
+  const early = await batch('--merge', '--out', 'parts');
+  assert.equal(early.code, 3);
+  assert.match(early.stderr, /manifest-1-of-3\.jsonl is missing\. Run --shard 1\/3 first/);
+  await batch('in', '--out', 'parts', '--shard', '1/3');
+  const parts = [0, 1, 2].map((part) => manifestOf(at('parts'), `manifest-${part}-of-3.jsonl`));
+  assert.ok(parts.every((lines) => lines.length > 0 && lines.length < 24));
+  const merged = await batch('--merge', '--out', 'parts');
+  assert.equal(merged.code, 1, merged.stderr);
+  assert.deepEqual(lasted(at('parts')), lasted(at('whole')));
+  assert.deepEqual(hasResults(at('parts')), hasResults(at('whole')));
+  assert.match(
+    (await batch('in', '--out', 'parts', '--resume', '--dry-run')).stdout,
+    /^0 to do, 24/m,
+  );
+});
+
+/** A manifest without what differs from run to run. */
+const lasted = (folder) => manifestOf(folder).map(({ seconds, peakMemory, ...line }) => line);
+
+test('a part keeps its meshes when they are renamed', async (t) => {
+  const { at, batch } = inFolder(t, {});
+  writeManyMeshes(at('in'), { count: 20, most: 20, broken: 0.01 });
+  cpSync(at('in'), at('other/name'), { recursive: true });
+  const partOf = async (folder) => {
+    const run = await batch(folder, '--out', 'out', '--shard', '0/2', '--dry-run');
+    return [...run.stdout.matchAll(/mesh-\d+/g)].map(([name]) => name).sort();
+  };
+  const part = await partOf('in');
+  assert.ok(part.length > 0);
+  assert.deepEqual(await partOf('other'), part);
+});
+
+for (const signal of ['SIGKILL', 'SIGTERM', 'SIGINT'])
+  test(`a run that ends by ${signal} can be resumed`, async (t) => {
+    const { at, batch } = inFolder(t, {});
+    const made = writeManyMeshes(at('in'), { count: 40, most: 300, broken: 0.1 });
+    const args = ['batch', 'in', '--out', 'out', '--resume'];
+    for (const count of [5, 15, 25]) {
+      const { child, finished } = startAbflat(args, { cwd: at() });
+      await untilLines(at('out/manifest.jsonl'), count);
+      child.kill(signal);
+      const { signal: ended, stderr } = await finished;
+      assert.equal(ended, signal);
+      if (signal === 'SIGKILL') continue;
+      assert.match(stderr, /interrupted\. The same command with --resume goes on from here/);
+      assert.deepEqual(
+        filesBelow(at('out')).filter((name) => name.startsWith('.')),
+        [],
+      );
+    }
+    assert.equal((await batch(...args.slice(1))).code, 1);
+    const lines = manifestOf(at('out'));
+    assert.equal(lines.length, made.length);
+    const good = made.filter(({ broken }) => !broken).map(({ name }) => name);
+    assert.deepEqual(
+      lines.filter(({ status }) => status === 'done').map(({ name }) => name),
+      good.sort(),
+    );
+    const expected = lines.flatMap(({ files, layout }) => [
+      ...files.map(({ path }) => path),
+      layout,
+    ]);
+    assert.deepEqual(
+      filesBelow(at('out')),
+      [...expected.filter(Boolean), 'manifest.jsonl', 'report.html'].sort(),
+    );
+    const verified = await batch('out', '--run', 'verify', '--out', 'verified');
+    assert.equal(verified.code, 0, verified.stdout);
+  });
+
+test('the end of a manifest that was cut off is written anew', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': grid(2) });
+  await batch('in', '--out', 'out');
+  const whole = readFileSync(at('out/manifest.jsonl'), 'utf8');
+  writeFileSync(at('out/manifest.jsonl'), whole.slice(0, -40));
+  assert.equal((await batch('in', '--out', 'out', '--resume')).code, 0);
+  assert.deepEqual(namesIn(at('out')), ['a.obj', 'b.obj']);
+});
+
+test('only one run at a time works in a folder', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': objText(torus(200, 100)) });
+  const first = startAbflat(['batch', 'in', '--out', 'out'], { cwd: at() });
+  await untilLines(at('out/manifest.jsonl'), 0);
+  const second = await batch('in', '--out', 'out', '--resume');
+  assert.equal(second.code, 5);
+  assert.match(second.stderr, /in use by another run/);
+  assert.equal((await first.finished).code, 0);
+});
+
+test('a mesh that takes too long ends alone, and is tried again with another limit', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(400, 200)) });
+  const limited = (seconds, ...args) =>
+    batch('in', '--out', 'out', '--time-limit', String(seconds), '--resume', ...args);
+  assert.equal((await limited(isInstrumented ? 4 : 0.3)).code, 1);
+  const [small, large] = manifestOf(at('out'));
+  assert.equal(small.status, 'done', small.message);
+  assert.equal(large.status, 'timeLimit');
+  assert.match(large.message, /^took longer than [\d.]+ s$/);
+  assert.match((await limited(isInstrumented ? 4 : 0.3, '--dry-run')).stdout, /^0 to do, 2 done/m);
+  assert.match((await limited(600, '--dry-run')).stdout, /^1 to do, 1 done/m);
+  const free = await batch('in', '--out', 'out', '--resume', '--dry-run');
+  assert.match(free.stdout, /^1 to do, 1 done/m);
+});
+
+test('a mesh that needs too much memory ends alone', {
+  skip: isInstrumented && 'sanitizers reserve more memory than any limit',
+}, async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(400, 200)) });
+  const run = await batch('in', '--out', 'out', '--memory-limit', '90');
+  assert.equal(run.code, 1);
+  const [small, large] = manifestOf(at('out'));
+  assert.equal(small.status, 'done', small.message);
+  assert.equal(large.status, 'memoryLimit', large.message);
+  assert.equal(large.message, 'needs more memory than 90 MB');
+  const again = await batch('in', '--out', 'out', '--resume', '--dry-run');
+  assert.match(again.stdout, /^1 to do, 1 done/m);
+});
+
+test('a mesh that is predicted to need all memory runs alone', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(60, 40)) });
+  assert.equal((await batch('in', '--out', 'out', '--total-memory', '1')).code, 0);
+  assert.deepEqual(hasResults(at('out')), ['a.obj', 'b.obj']);
+});
+
+test('a folder that cannot be written is told before any work', {
+  skip: process.getuid?.() === 0 && 'root may write anywhere',
+}, async (t) => {
+  const { at, batch } = inFolder(t, { 'a.obj': CUBE, 'out/kept.txt': '' });
+  chmodSync(at('out'), 0o555);
+  const run = await batch('a.obj', '--out', 'out');
+  chmodSync(at('out'), 0o755);
+  assert.equal(run.code, 5);
+  assert.match(run.stderr, /cannot write out/);
+});
+
+test('names are only text in the report, and links lead to the files', async (t) => {
+  const name = '<img src=x onerror=alert(1)>&"\'#?%41.obj';
+  const { at, batch } = inFolder(t, { [`in/${name}`]: CUBE, 'in/bad<b>.obj': 'v <i> 0 0\n' });
+  assert.equal((await batch('in', '--out', 'out')).code, 1);
+  const page = readFileSync(at('out/report.html'), 'utf8');
+  assert.doesNotMatch(page, /<img src=x|<b>|<i>/);
+  const links = [...page.matchAll(/(?:href|src)="([^"]*)"/g)].map(([, link]) => link);
+  assert.ok(links.length > 5);
+  for (const link of links) assert.ok(existsSync(at(join('out', decodeURIComponent(link)))), link);
+});
+
+test('options that begin with a dash and meshes with odd names pass to the command', async (t) => {
+  const names = ['a b  c.obj', 'it\'s "q".obj', '-x.obj', '*.obj', '日本 🙂.obj'];
+  const { at, batch } = inFolder(t, Object.fromEntries(names.map((name) => [name, CUBE])));
+  const run = await batch('.', '--out', 'out', '--padding=1', '--rotate', 'none');
+  assert.equal(run.code, 0, run.stdout + run.stderr);
+  assert.deepEqual(hasResults(at('out')), names.sort());
+});
+
+test('links in the folder of meshes are followed to files, once', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE });
+  symlinkSync('a.obj', at('in/b.obj'));
+  symlinkSync('.', at('in/loop'));
+  assert.equal((await batch('in', '--out', 'out')).code, 0);
+  assert.deepEqual(namesIn(at('out')), ['a.obj']);
+});
