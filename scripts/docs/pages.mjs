@@ -36,6 +36,7 @@ const SIDEBAR = [
       'docs/unwrapping.md',
       'docs/packing.md',
       'docs/verify.md',
+      'docs/batch.md',
       'docs/baking.md',
       'docs/formats.md',
       'docs/report.md',

@@ -64,7 +64,7 @@ export const BREAKS = {
 };
 
 /** The number of faces: most meshes are small. */
-const sizeOf = (random, most) => Math.round(10 * (most / 10) ** (random.next() ** 6));
+const sizeOf = (random, most) => Math.round(10 * (most / 10) ** (random.next() ** 24));
 
 /**
  * Writes `count` meshes of up to `most` faces, of which a share is broken. Returns them as `{ name,

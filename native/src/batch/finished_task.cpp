@@ -104,9 +104,8 @@ Status takeResults(const Task& task, const WorkPlace& place, const fs::path& out
     if (Status s = moveFile(from, out / name); !s.ok()) return s;
   }
   std::rotate(line.files.begin(), line.files.end() - 1, line.files.end());
-  std::error_code ignored;  // no picture was drawn
-  if (!fs::exists(place.layout, ignored)) return {};
-  line.layout = pictureOf(task);
+  if (task.picture.empty()) return {};
+  line.layout = task.picture;
   return moveFile(place.layout, out / line.layout);
 }
 
@@ -135,19 +134,13 @@ ManifestLine finishedTask(const Task& task, const WorkPlace& place, const TaskEn
   if (line.status != MeshStatus::Done && line.status != MeshStatus::NotValid) return line;
   const Result<std::string> report = readBytes(place.report);
   if (report.ok()) line.summary = reportSummary(report.value());
+  if (line.message.empty()) line.message = firstFinding(line.summary);
   if (task.output.empty()) return line;
   const Status taken = takeResults(task, place, out, line);
   if (taken.ok()) return line;
   line.status = MeshStatus::CannotWrite;
   line.message = taken.message;
   return line;
-}
-
-ManifestLine untriedTask(const Task& task, const Status& reason) {
-  ManifestLine out = lineOf(task);
-  out.status = statusOfExit(exitCodeOf(reason.code));
-  out.message = reason.message;
-  return out;
 }
 
 }  // namespace abflat::cli

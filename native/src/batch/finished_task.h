@@ -21,7 +21,4 @@ struct TaskEnd {
 ManifestLine finishedTask(const Task& task, const WorkPlace& place, const TaskEnd& end,
                           const std::string& out);
 
-/// The line of a mesh that was not tried.
-ManifestLine untriedTask(const Task& task, const Status& reason);
-
 }  // namespace abflat::cli

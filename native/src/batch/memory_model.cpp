@@ -115,14 +115,16 @@ double freeInContainer(double available) {
 
 }  // namespace
 
-double predictedMemory(const std::string& path, std::uintmax_t bytes) {
-  constexpr double kProgram = 16, kPerFace = 1800;  // measured, see docs/batch.md
-  constexpr double kFileCopies = 2;                 // the file, and the one that is written
+double predictedFaces(const std::string& path, std::uintmax_t bytes) {
   const FileFormat format = namedFormat(path).value_or(kUnnamedFormat);
-  const auto size = static_cast<double>(bytes);
-  double faces = format == FileFormat::Gltf ? gltfFaces(path) : 0;
-  if (faces == 0) faces = size / bytesPerFace(format);
-  return kProgram + (kPerFace * faces + kFileCopies * size) / kMegabyte;
+  const double counted = format == FileFormat::Gltf ? gltfFaces(path) : 0;
+  return counted > 0 ? counted : static_cast<double>(bytes) / bytesPerFace(format);
+}
+
+double predictedMemory(double faces, std::uintmax_t bytes) {
+  constexpr double kProgram = 16, kPerFace = 2300;  // measured, see docs/batch.md
+  constexpr double kFileCopies = 2;                 // the file, and the one that is written
+  return kProgram + (kPerFace * faces + kFileCopies * static_cast<double>(bytes)) / kMegabyte;
 }
 
 double freeMemory() {

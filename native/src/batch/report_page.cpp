@@ -106,10 +106,16 @@ std::string reasonsIn(const ManifestLine& line, const nlohmann::json& summary) {
   const auto add = [&](const std::string& text) {
     if (!text.empty()) out += "<span class=\"why\">" + escapedMarkup(text) + "</span>";
   };
-  add(line.message);
-  if (const auto found = summary.find("findings"); found != summary.end() && found->is_array())
-    for (const nlohmann::json& finding : *found)
-      if (finding.is_object()) add(finding.value("rule", "") + ": " + finding.value("message", ""));
+  const auto found = summary.find("findings");
+  if (found == summary.end() || !found->is_array() || found->empty()) {
+    add(line.message);
+    return out;
+  }
+  constexpr std::size_t kShown = 3;
+  for (std::size_t i = 0; i < std::min(found->size(), kShown); ++i)
+    if (const nlohmann::json& finding = (*found)[i]; finding.is_object())
+      add(finding.value("rule", "") + ": " + finding.value("message", ""));
+  if (found->size() > kShown) add("and " + std::to_string(found->size() - kShown) + " more");
   return out;
 }
 
@@ -137,11 +143,13 @@ std::string rowOf(const ManifestLine& line, const std::string& out) {
 }
 
 std::string headingsText() {
-  const auto heading = [](const std::string& title) {
-    return "<th><button type=\"button\">" + title + "</button></th>";
+  const auto heading = [](const std::string& title, const char* kind) {
+    return std::string("<th") + kind + "><button type=\"button\">" + title + "</button></th>";
   };
-  std::string out = "<thead><tr><th class=\"picture\"></th>" + heading("Mesh") + heading("Status");
-  for (const NumberColumn& column : kNumberColumns) out += heading(column.title);
+  std::string out =
+      "<thead><tr><th class=\"picture\"></th>" + heading("Mesh", "") + heading("Status", "");
+  for (const NumberColumn& column : kNumberColumns)
+    out += heading(column.title, " class=\"number\"");
   return out + "</tr></thead>\n";
 }
 

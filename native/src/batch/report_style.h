@@ -34,7 +34,8 @@ constexpr const char* kBatchPageHead = R"(<!doctype html>
            border-bottom: 1px solid var(--line); }
   tbody tr:last-child td { border-bottom: 0; }
   th { position: sticky; top: 0; background: var(--card); padding: .2rem; }
-  th:first-child, th:last-child { border-radius: 8px; }
+  th:first-child { border-top-left-radius: 8px; }
+  th:last-child { border-top-right-radius: 8px; }
   th button { font: inherit; font-size: 13px; font-weight: 600; color: inherit; background: none;
               border: 0; border-radius: 6px; padding: .35rem .4rem; cursor: pointer;
               white-space: nowrap; }
@@ -79,9 +80,9 @@ constexpr const char* kBatchPageScript = R"(<script>
     const { value } = row.cells[column].dataset;
     return value === undefined ? row.cells[column].textContent : value === '' ? NaN : Number(value);
   };
-  const order = (a, b) => {
-    if (typeof a === 'string') return a.localeCompare(b, 'en', { numeric: true });
-    return Number.isNaN(a) - Number.isNaN(b) || a - b || 0;
+  const order = (a, b, sign) => {
+    if (typeof a === 'string') return sign * a.localeCompare(b, 'en', { numeric: true });
+    return Number.isNaN(a) - Number.isNaN(b) || sign * (a - b) || 0;
   };
   document.querySelectorAll('th button').forEach((button) => {
     const heading = button.parentElement;
@@ -90,7 +91,7 @@ constexpr const char* kBatchPageScript = R"(<script>
       document.querySelectorAll('th').forEach((each) => each.removeAttribute('aria-sort'));
       heading.setAttribute('aria-sort', isUp ? 'ascending' : 'descending');
       const rows = [...body.rows].map((row) => [key(row, heading.cellIndex), row]);
-      rows.sort(([a], [b]) => (isUp ? order(a, b) : order(b, a)));
+      rows.sort(([a], [b]) => order(a, b, isUp ? 1 : -1));
       body.append(...rows.map(([, row]) => row));
     });
   });

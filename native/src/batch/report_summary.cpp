@@ -47,4 +47,13 @@ std::string reportSummary(const std::string& report) {
   return out.dump(-1, ' ', false, SummaryJson::error_handler_t::replace);
 }
 
+std::string firstFinding(const std::string& summary) {
+  const SummaryJson json = SummaryJson::parse(summary, nullptr, false);
+  const SummaryJson::json_pointer list("/findings"), first("/findings/0/message");
+  if (!json.is_object() || !json.contains(first) || !json[first].is_string()) return {};
+  const std::size_t others = json[list].size() - 1;
+  return json[first].get<std::string>() +
+         (others > 0 ? " (and " + std::to_string(others) + " more)" : "");
+}
+
 }  // namespace abflat::cli

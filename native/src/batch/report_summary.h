@@ -8,4 +8,7 @@ namespace abflat::cli {
 /// line; empty if the text is no report.
 std::string reportSummary(const std::string& report);
 
+/// What verify has found first, in a sentence; empty if the summary has no findings.
+std::string firstFinding(const std::string& summary);
+
 }  // namespace abflat::cli

@@ -22,6 +22,12 @@ std::string resultEnding(const BatchCommand& command, const std::string& name) {
   return !own.empty() && isWritableName(name) ? own : ".glb";
 }
 
+/// Of the picture that is smaller: lines, or texels.
+const char* pictureEnding(double faces) {
+  constexpr double kMostDrawn = 10000;
+  return faces <= kMostDrawn ? ".svg" : ".png";
+}
+
 /// The options of all meshes with those of one in their place, sorted.
 std::vector<GivenOption> mergedOptions(const std::vector<GivenOption>& all,
                                        const std::vector<GivenOption>& own) {
@@ -89,7 +95,10 @@ class TaskPlan {
     std::error_code unknown;  // then it cannot be read
     const std::uintmax_t bytes = fs::file_size(input.path, unknown);
     task.bytes = unknown ? 0 : bytes;
-    task.memory = predictedMemory(input.path, task.bytes);
+    const double faces = predictedFaces(input.path, task.bytes);
+    task.memory = predictedMemory(faces, task.bytes);
+    if (command_.pictures && (command_.run == "unwrap" || command_.run == "pack"))
+      task.picture = "layouts/" + task.output + pictureEnding(faces);
     task.input = std::move(input);
     return task;
   }
@@ -134,7 +143,5 @@ class TaskPlan {
 Result<std::vector<Task>> planTasks(const BatchCommand& command, std::vector<BatchInput> inputs) {
   return TaskPlan(command).plan(std::move(inputs));
 }
-
-std::string pictureOf(const Task& task) { return "layouts/" + task.output + ".png"; }
 
 }  // namespace abflat::cli

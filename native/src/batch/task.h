@@ -18,13 +18,11 @@ struct Task {
   std::string optionsHash;
   std::uintmax_t bytes = 0;  ///< of the file
   double memory = 0;         ///< predicted peak in MB
+  std::string picture;       ///< of its layout, below the folder of results; empty: none
 };
 
 /// The tasks of a batch, in the order of their names. Options are checked, as the command would.
 /// Errors: InvalidOption, also if two meshes would have the same result; UnreadableFile.
 Result<std::vector<Task>> planTasks(const BatchCommand& command, std::vector<BatchInput> inputs);
-
-/// Where the picture of a layout lies, below the folder of results.
-std::string pictureOf(const Task& task);
 
 }  // namespace abflat::cli

@@ -49,7 +49,7 @@ Result<WorkPlace> WorkFolder::placeFor(std::size_t number, const Task& task) con
                    results.string(),
                    (results / fs::path(task.output).filename()).string(),
                    (folder / "report.json").string(),
-                   (folder / "layout.png").string(),
+                   (folder / ("layout" + fs::path(task.picture).extension().string())).string(),
                    (folder / "said.txt").string()};
 }
 
