@@ -223,6 +223,24 @@ test('files that options name are part of the options', async (t) => {
   assert.match((await batch(...options, '--dry-run')).stdout, /^1 to do, 0 done/m);
 });
 
+test('files that a mesh names are part of it', async (t) => {
+  const obj = `mtllib the look.mtl\n${CUBE}`;
+  const { batch, at } = inFolder(t, { 'in/a.obj': obj, 'in/the look.mtl': 'newmtl a\n' });
+  await runAbflat(['unwrap', 'in/a.obj', '-o', 'in/b.gltf'], { cwd: at() });
+  const gltf = JSON.parse(readFileSync(at('in/b.gltf'), 'utf8'));
+  const [, data] = gltf.buffers[0].uri.split(',');
+  writeFileSync(at('in/b 1.bin'), Buffer.from(data, 'base64'));
+  gltf.buffers[0].uri = 'b%201.bin';
+  writeFileSync(at('in/b.gltf'), JSON.stringify(gltf));
+  const options = ['in', '--out', 'out', '--resume'];
+  assert.equal((await batch(...options)).code, 0);
+  assert.match((await batch(...options, '--dry-run')).stdout, /^0 to do, 2 done/m);
+  writeFileSync(at('in/b 1.bin'), Buffer.concat([Buffer.from(data, 'base64'), Buffer.alloc(4)]));
+  assert.match((await batch(...options, '--dry-run')).stdout, /b\.gltf\n1 to do, 1 done/m);
+  writeFileSync(at('in/the look.mtl'), 'newmtl b\n');
+  assert.match((await batch(...options, '--dry-run')).stdout, /^2 to do, 0 done/m);
+});
+
 test('a folder with results is not written to by accident', async (t) => {
   const { at, batch } = inFolder(t, { 'a.obj': CUBE, 'mine/a.obj': 'mine' });
   await batch('a.obj', '--out', 'out');

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "batch/digest.h"
 #include "batch/find_inputs.h"
+#include "batch/mesh_digest.h"
 #include "batch/resume.h"
 #include "batch/task_runner.h"
 #include "batch/work_folder.h"
@@ -62,7 +62,7 @@ Status BatchRun::keepShard() {
   if (command_.shards <= 1) return {};
   std::vector<Task> kept;
   for (Task& task : tasks_) {
-    Result<Digest> digest = fileDigest(task.input.path);
+    Result<Digest> digest = meshDigest(task.input.path);
     if (digest.ok())
       task.inputHash = digest.value().text();
     else
@@ -96,7 +96,7 @@ void BatchRun::chooseWanted(const ManifestLines& lines) {
     Task& task = tasks_[i];
     const auto line = lines.find(task.input.name);
     if (line != lines.end() && task.inputHash.empty())
-      if (const Result<Digest> digest = fileDigest(task.input.path); digest.ok())
+      if (const Result<Digest> digest = meshDigest(task.input.path); digest.ok())
         task.inputHash = digest.value().text();
     if (line == lines.end() || !isSettled(line->second, task, command_)) wanted_.push_back(i);
   }

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "batch/gltf_json.h"
 #include "files/file_format.h"
-#include "files/paths.h"
 
 #if defined(__APPLE__)
 #include <sys/sysctl.h>
@@ -35,25 +34,6 @@ double bytesPerFace(FileFormat format) {
       return 18;
   }
   return 18;
-}
-
-/// The JSON of a glTF, whether it is a file of its own or the beginning of a GLB.
-nlohmann::json gltfJson(const std::string& path) {
-  constexpr std::size_t kHead = 20;
-  std::ifstream in(path, std::ios::binary);
-  std::string head(kHead, '\0');
-  if (!in.read(head.data(), kHead)) return {};
-  if (head.compare(0, 4, "glTF") != 0) {
-    in.seekg(0);
-    return nlohmann::json::parse(in, nullptr, false);
-  }
-  std::size_t length = 0;
-  for (int i = 3; i >= 0; --i)
-    length = length << 8 | static_cast<unsigned char>(head[12 + static_cast<std::size_t>(i)]);
-  constexpr std::size_t kMost = std::size_t(1) << 28;
-  std::string text(std::min(length, kMost), '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  return nlohmann::json::parse(text, nullptr, false);
 }
 
 /// What an accessor counts; 0 if there is none.

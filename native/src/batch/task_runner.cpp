@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "batch/awaited_signals.h"
-#include "batch/digest.h"
 #include "batch/finished_task.h"
 #include "batch/memory_model.h"
+#include "batch/mesh_digest.h"
 #include "terminal/terminal.h"
 
 namespace abflat::cli {
@@ -103,7 +103,7 @@ std::vector<std::string> TaskRunner::wordsFor(const Task& task, const WorkPlace&
 Status TaskRunner::start(std::size_t number, bool isAlone) {
   Task& task = tasks_[number];
   if (task.inputHash.empty())
-    if (const Result<Digest> digest = fileDigest(task.input.path); digest.ok())
+    if (const Result<Digest> digest = meshDigest(task.input.path); digest.ok())
       task.inputHash = digest.value().text();
   const Result<WorkPlace> place = work_.placeFor(number, task);
   if (!place.ok()) return place.status();
