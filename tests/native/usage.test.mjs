@@ -15,7 +15,7 @@ const FLATTEN = ['flatten', 'in.obj', '-o', 'out.obj'];
 
 /** Arguments, and what the message must say. */
 const WRONG = [
-  [[], /flatten, pack, bake, verify, inspect, sample, sweep, compare or reproduce/],
+  [[], /flatten, pack, bake, verify, batch, inspect, sample, sweep, compare or reproduce/],
   [['unfold'], /no command 'unfold'\. Use unwrap, flatten/],
   [['unwrap'], /IN/],
   [['flatten'], /IN/],

@@ -19,14 +19,14 @@ if (!existsSync(PROGRAM))
 /**
  * Starts the program; `finished` resolves to `{ code, signal, stdout, stderr, bytes }`, where
  * `bytes` is the raw standard output. Options: `input` (standard input), `cwd`, `wrapper` (put
- * before the program).
+ * before the program), `seconds` (after which it is ended).
  */
-export function startAbflat(args, { input, cwd, wrapper = [] } = {}) {
+export function startAbflat(args, { input, cwd, wrapper = [], seconds = SECONDS } = {}) {
   const [program, ...rest] = [...wrapper, PROGRAM, ...args];
   const child = spawn(program, rest, {
     cwd,
     stdio: [input === undefined ? 'ignore' : 'pipe', 'pipe', 'pipe'],
-    timeout: SECONDS * 1000,
+    timeout: seconds * 1000,
   });
   const finished = new Promise((resolve, reject) => {
     const out = [];

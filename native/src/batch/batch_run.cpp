@@ -136,7 +136,7 @@ Status BatchRun::run() {
   WorkFolder work(command_.out, shardTag(command_));
   if (Status s = work.make(); !s.ok()) return s;
   TaskRunner runner(command_, tasks_, work);
-  const Status ran = runner.run(wanted_, [this](const ManifestLine& line) {
+  Status ran = runner.run(wanted_, [this](const ManifestLine& line) {
     if (const auto old = manifest_.lines().find(line.name); old != manifest_.lines().end())
       removeOldFiles(old->second, line, command_.out);
     return manifest_.add(line);

@@ -58,6 +58,7 @@ class InputFinder {
     }
     if (!isPattern(path)) return {StatusCode::UnreadableFile, "there is no file " + path};
     const std::vector<std::string> files = filesLike(path);
+    found_.reserve(found_.size() + files.size());
     for (const std::string& file : files)
       if (!isBelow(out_, realPath(file))) found_.push_back({file, nameBelow(file), {}, false});
     if (files.empty()) return {StatusCode::UnreadableFile, "no file is like " + path};

@@ -35,6 +35,7 @@ std::vector<GivenOption> mergedOptions(const std::vector<GivenOption>& all,
   for (const GivenOption& option : all) merged[option.flag] = option.value;
   for (const GivenOption& option : own) merged[option.flag] = option.value;
   std::vector<GivenOption> out;
+  out.reserve(merged.size());
   for (const auto& [flag, value] : merged) out.push_back({flag, value});
   return out;
 }
