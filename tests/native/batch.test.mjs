@@ -5,6 +5,7 @@ import {
   chmodSync,
   cpSync,
   existsSync,
+  mkdirSync,
   readFileSync,
   rmSync,
   symlinkSync,
@@ -13,11 +14,20 @@ import {
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { filesBelow, hasResults, lasting, manifestOf, untilLines } from '../support/batches.mjs';
+import { madePng } from '../support/made-png.mjs';
 import { writeManyMeshes } from '../support/many-meshes.mjs';
-import { isInstrumented, runAbflat, startAbflat } from '../support/run-abflat.mjs';
+import {
+  hasTerminals,
+  isInstrumented,
+  runAbflat,
+  runOnTerminal,
+  startAbflat,
+} from '../support/run-abflat.mjs';
 import { CUBE, grid, TRIANGLE } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
+import { texturedCube } from '../support/textured.mjs';
+import { texturedObj } from '../support/textured-obj.mjs';
 
 /** Runs batch in a folder with files; `files` are their texts by name. */
 function inFolder(t, files) {
@@ -112,6 +122,33 @@ test('results are those of the command, in the format that is asked for', async 
   assert.equal((await batch('own', '--run', 'pack', '--out', 'packed', '--padding', '4')).code, 0);
   assert.equal((await batch('in/a.obj', '--run', 'flatten', '--out', 'flat')).code, 1);
   assert.equal(manifestOf(at('flat'))[0].status, 'notFlattenable');
+});
+
+test('images that are baked lie beside the mesh, and belong to its result', async (t) => {
+  const { at, batch } = inFolder(t, {
+    'in/deep/a.obj': texturedObj('a.mtl', [{ ...texturedCube(), material: 'paint' }]),
+    'in/deep/a.mtl': 'newmtl paint\nmap_Kd paint.png\n',
+    'in/deep/paint.png': madePng(16, 16, (x, y) => [16 * x, 16 * y, 90]),
+  });
+  const options = ['--bake', '--resolution', '64'];
+  assert.equal((await batch('in', '--out', 'out', ...options)).code, 0);
+  mkdirSync(at('single'));
+  await runAbflat(['unwrap', 'in/deep/a.obj', '-o', 'single/a.obj', ...options], { cwd: at() });
+  const expected = filesBelow(at('single'));
+  assert.ok(expected.length > 2);
+  assert.deepEqual(
+    hasResults(at('out')),
+    expected.map((name) => `deep/${name}`),
+  );
+  for (const name of expected)
+    assert.deepEqual(readFileSync(at(`out/deep/${name}`)), readFileSync(at(`single/${name}`)));
+  const [{ files }] = manifestOf(at('out'));
+  assert.equal(files[0].path, 'deep/a.obj');
+  assert.deepEqual(files.map(({ path }) => path).sort(), hasResults(at('out')));
+  const again = ['in', '--out', 'out', '--resume', '--dry-run', ...options];
+  assert.match((await batch(...again)).stdout, /^0 to do, 1 done/m);
+  rmSync(at(`out/${files.at(-1).path}`));
+  assert.match((await batch(...again)).stdout, /^1 to do, 0 done/m);
 });
 
 test('a glTF names its files from where it will lie', async (t) => {
@@ -403,15 +440,15 @@ test('only one run at a time works in a folder', async (t) => {
 });
 
 test('a mesh that takes too long ends alone, and is tried again with another limit', async (t) => {
-  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(400, 200)) });
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(500, 300)) });
   const limited = (seconds, ...args) =>
     batch('in', '--out', 'out', '--time-limit', String(seconds), '--resume', ...args);
-  assert.equal((await limited(isInstrumented ? 4 : 0.3)).code, 1);
+  assert.equal((await limited(isInstrumented ? 20 : 1.5)).code, 1);
   const [small, large] = manifestOf(at('out'));
   assert.equal(small.status, 'done', small.message);
   assert.equal(large.status, 'timeLimit');
   assert.match(large.message, /^took longer than [\d.]+ s$/);
-  assert.match((await limited(isInstrumented ? 4 : 0.3, '--dry-run')).stdout, /^0 to do, 2 done/m);
+  assert.match((await limited(isInstrumented ? 20 : 1.5, '--dry-run')).stdout, /^0 to do, 2 done/m);
   assert.match((await limited(600, '--dry-run')).stdout, /^1 to do, 1 done/m);
   const free = await batch('in', '--out', 'out', '--resume', '--dry-run');
   assert.match(free.stdout, /^1 to do, 1 done/m);
@@ -420,7 +457,7 @@ test('a mesh that takes too long ends alone, and is tried again with another lim
 test('a mesh that needs too much memory ends alone', {
   skip: isInstrumented && 'sanitizers reserve more memory than any limit',
 }, async (t) => {
-  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(400, 200)) });
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(500, 300)) });
   const run = await batch('in', '--out', 'out', '--memory-limit', '90');
   assert.equal(run.code, 1);
   const [small, large] = manifestOf(at('out'));
@@ -465,6 +502,34 @@ test('options that begin with a dash and meshes with odd names pass to the comma
   const run = await batch('.', '--out', 'out', '--padding=1', '--rotate', 'none');
   assert.equal(run.code, 0, run.stdout + run.stderr);
   assert.deepEqual(hasResults(at('out')), names.sort());
+});
+
+test('progress is shown on a terminal only, and can be turned off', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': grid(2) });
+  const plain = await batch('in', '--out', 'plain');
+  assert.equal(plain.stderr, '');
+  const quiet = await batch('in', '--out', 'quiet', '--quiet');
+  assert.equal(quiet.stderr + quiet.stdout, '');
+  if (!hasTerminals()) return t.diagnostic('there is no script of util-linux to make a terminal');
+  const { code, seen } = runOnTerminal(['batch', 'in', '--out', 'seen', '-j', '1'], { cwd: at() });
+  assert.equal(code, 0, seen);
+  assert.match(seen, /1 of 2 done, 1 running, [\d.]+ per second, \d+ s left/);
+  assert.match(seen.slice(seen.lastIndexOf('\r\x1b[K') + 4), /^status +meshes/);
+});
+
+test('a name that no manifest can hold is refused', async (t) => {
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE });
+  try {
+    writeFileSync(
+      Buffer.concat([Buffer.from(at('in/')), Buffer.from([0xff]), Buffer.from('.obj')]),
+      CUBE,
+    );
+  } catch {
+    return t.skip('this file system takes no such name');
+  }
+  const run = await batch('in', '--out', 'out');
+  assert.equal(run.code, 2);
+  assert.match(run.stderr, /not UTF-8, so no manifest can hold it\. Rename it/);
 });
 
 test('links in the folder of meshes are followed to files, once', async (t) => {

@@ -68,7 +68,7 @@ std::string ownProgram() {
   return "/proc/self/exe";
 #elif defined(__APPLE__)
   std::array<char, PATH_MAX> path{};
-  std::uint32_t size = path.size();
+  auto size = static_cast<std::uint32_t>(path.size());
   return _NSGetExecutablePath(path.data(), &size) == 0 ? path.data() : "";
 #else
   return {};

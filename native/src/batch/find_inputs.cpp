@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "batch/glob.h"
 #include "batch/list_file.h"
@@ -24,6 +25,12 @@ fs::path realPath(const fs::path& path) {
 bool isBelow(const fs::path& folder, const fs::path& file) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
          folder.end();
+}
+
+bool isUtf8(const std::string& text) {
+  using nlohmann::json;
+  const std::string written = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  return json::parse(written, nullptr, false) == text;
 }
 
 bool isHidden(const fs::path& path) { return path.filename().string().front() == '.'; }
@@ -95,6 +102,11 @@ class InputFinder {
       if (isBelow(out_, path))
         return Status{StatusCode::InvalidOption,
                       input.path + " lies where the results go. Give --out another folder"};
+      if (!isUtf8(input.name))
+        return Status{StatusCode::InvalidOption,
+                      input.path +
+                          " has a name that is not UTF-8, so no manifest can hold it. "
+                          "Rename it"};
       const auto [old, isNew] = files.try_emplace(path, input);
       if (isNew) continue;
       if (!hasSameOptions(old->second, input))

@@ -62,6 +62,7 @@ double gltfFaces(const std::string& path) {
   return corners / 3;
 }
 
+#if defined(__linux__)
 /// A number in a file of the system, in bytes; none if there is no such file, or it has no number.
 std::optional<double> systemNumber(const char* path) {
   std::ifstream in(path);
@@ -70,7 +71,6 @@ std::optional<double> systemNumber(const char* path) {
   return {};
 }
 
-#if defined(__linux__)
 double availableOnLinux() {
   std::ifstream in("/proc/meminfo");
   constexpr double kKilobytes = 1024;
