@@ -2,7 +2,6 @@
 
 import assert from 'node:assert/strict';
 import {
-  chmodSync,
   cpSync,
   existsSync,
   mkdirSync,
@@ -474,15 +473,28 @@ test('a mesh that is predicted to need all memory runs alone', async (t) => {
   assert.deepEqual(hasResults(at('out')), ['a.obj', 'b.obj']);
 });
 
-test('a folder that cannot be written is told before any work', {
-  skip: process.getuid?.() === 0 && 'root may write anywhere',
-}, async (t) => {
-  const { at, batch } = inFolder(t, { 'a.obj': CUBE, 'out/kept.txt': '' });
-  chmodSync(at('out'), 0o555);
-  const run = await batch('a.obj', '--out', 'out');
-  chmodSync(at('out'), 0o755);
+test('a folder that cannot be made is told before any work', async (t) => {
+  const { at, batch } = inFolder(t, { 'a.obj': CUBE });
+  const run = await batch('a.obj', '--out', 'a.obj/out');
   assert.equal(run.code, 5);
-  assert.match(run.stderr, /cannot write out/);
+  assert.match(run.stderr, /cannot create the folder a\.obj\/out: Not a directory/);
+  assert.deepEqual(filesBelow(at()), ['a.obj']);
+});
+
+test('a process that is killed takes only its mesh, which is tried again', async (t) => {
+  if (process.platform !== 'linux') return t.skip('finds processes in /proc');
+  const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(500, 300)) });
+  const args = ['batch', 'in', '--out', 'out', '--resume'];
+  const { child, finished } = startAbflat(args, { cwd: at() });
+  await untilLines(at('out/manifest.jsonl'), 1);
+  const children = readFileSync(`/proc/${child.pid}/task/${child.pid}/children`, 'utf8');
+  process.kill(Number(children), 'SIGKILL');
+  assert.equal((await finished).code, 1);
+  const [small, large] = manifestOf(at('out'));
+  assert.equal(small.status, 'done');
+  assert.equal(large.status, 'crashed');
+  assert.match(large.message, /^was ended by signal 9/);
+  assert.match((await batch(...args.slice(1), '--dry-run')).stdout, /^1 to do, 1 done/m);
 });
 
 test('names are only text in the report, and links lead to the files', async (t) => {

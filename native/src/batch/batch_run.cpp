@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "batch/find_inputs.h"
 #include "batch/mesh_digest.h"

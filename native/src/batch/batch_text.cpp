@@ -1,6 +1,8 @@
 #include "batch/batch_text.h"
 
+#include <algorithm>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 #include "batch/batch_progress.h"

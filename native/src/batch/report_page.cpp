@@ -1,12 +1,13 @@
 #include "batch/report_page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "abflat/version.h"
 #include "batch/batch_progress.h"
@@ -177,7 +178,10 @@ std::string reportPage(const ManifestLines& lines, const std::string& out) {
   page += "<h1>" + escapedMarkup(fs::path(out).lexically_normal().string()) + "</h1>\n";
   page += "<p>Made by abflat batch " ABFLAT_VERSION
           " of <a href=\"manifest.jsonl\">manifest.jsonl</a></p>\n";
-  page += totalsList(lines) + "<table>\n" + headingsText() + "<tbody>\n";
+  const bool isBare = std::all_of(lines.begin(), lines.end(),
+                                  [](const auto& line) { return line.second.layout.empty(); });
+  page += totalsList(lines) + (isBare ? "<table class=\"bare\">\n" : "<table>\n") + headingsText() +
+          "<tbody>\n";
   for (const auto& [name, line] : lines) page += rowOf(line, out);
   return page + "</tbody>\n</table>\n" + kBatchPageScript + "</body>\n</html>\n";
 }

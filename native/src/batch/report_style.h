@@ -51,6 +51,7 @@ constexpr const char* kBatchPageHead = R"(<!doctype html>
   img { display: block; width: 72px; height: 72px; object-fit: contain; background: var(--picture);
         border: 1px solid var(--line); border-radius: 4px; }
   td.picture { width: 90px; }
+  .bare .picture { display: none; }
   @media (max-width: 760px) {
     table, thead, tbody { display: block; border: 0; background: none; }
     thead tr { display: flex; flex-wrap: wrap; gap: .3rem; margin-bottom: .8rem; }
@@ -63,6 +64,8 @@ constexpr const char* kBatchPageHead = R"(<!doctype html>
     td { border: 0; padding: .1rem 0; }
     td.picture { grid-row: 1 / span 4; width: auto; }
     td.wide { grid-column: 2 / -1; }
+    .bare tbody tr { grid-template-columns: repeat(3, 1fr); }
+    .bare td.wide { grid-column: 1 / -1; }
     td.number { text-align: left; }
     td.number::before { content: attr(data-label); display: block; color: var(--quiet);
                         font-size: 12px; }

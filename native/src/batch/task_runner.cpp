@@ -5,7 +5,9 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "batch/awaited_signals.h"
 #include "batch/finished_task.h"
@@ -94,7 +96,9 @@ std::vector<std::string> TaskRunner::wordsFor(const Task& task, const WorkPlace&
     hasOwnThreads = hasOwnThreads || option.flag == "--threads";
     out.push_back(option.value ? option.flag + "=" + *option.value : option.flag);
   }
-  const std::size_t threads = isAlone ? limits_.jobs : threads_;
+  // Each thread reserves address space, which the limit is about.
+  const bool hasOne = command_.memoryLimit > 0;
+  const std::size_t threads = hasOne ? 1 : isAlone ? limits_.jobs : threads_;
   if (!hasOwnThreads) out.push_back("--threads=" + std::to_string(threads));
   out.insert(out.end(), {"--", task.input.path});
   return out;
