@@ -70,7 +70,10 @@ export function renderAll(root) {
     ['wasm/bindings/generated/field.h', renderField(schema)],
     ['wasm/bindings/generated/unwrap_array.h', renderUnwrapArrays(schema)],
     ['wasm/src/base/generated.ts', renderTypeScript(schema)],
-    ['wasm/src/base/generated-bake.ts', renderLateOptions(schema)],
+    ...renderLateOptions(schema).map(([verb, text]) => [
+      `wasm/src/base/generated-${verb}.ts`,
+      text,
+    ]),
     ['wasm/src/base/generated-report.ts', renderReportTypes(schema)],
     ['wasm/src/base/generated-arrays.ts', renderResultArrays(schema)],
     ['wasm/src/base/generated-bits.ts', renderBits(schema)],

@@ -1,8 +1,8 @@
 // The structs of reports in TypeScript.
 
-import { TS_HEADER, union } from './generate-ts.mjs';
+import { lateSets, TS_HEADER, union } from './generate-ts.mjs';
 import { isIn, isNullable, PLAIN_TYPES, typesOf } from './report-schema.mjs';
-import { ofPackage, sentence } from './schema.mjs';
+import { ofPackage, pascalCase, sentence } from './schema.mjs';
 
 /** One file with an interface for each struct of the package. */
 export function renderReportTypes(schema) {
@@ -13,8 +13,24 @@ export function renderReportTypes(schema) {
     .map((struct) => interfaceText(struct, types, shared));
   const text = parts.join('\n');
   const imports = [...shared].filter((name) => new RegExp(`: ${name}\\b`).test(text)).sort();
-  const lines = imports.map((name) => `  ${name},`).join('\n');
-  return `${TS_HEADER}\nimport type {\n${lines}\n} from './generated.js';\n\n${text}`;
+  return `${TS_HEADER}\n${importLines(schema, imports)}\n${text}`;
+}
+
+/** What reports use of the files of options that load late, and of generated.ts. */
+function importLines(schema, names) {
+  const late = new Map(
+    lateSets(schema).map(({ verb }) => [`${pascalCase(verb)}OptionValues`, `generated-${verb}`]),
+  );
+  const fileOf = (name) => late.get(name) ?? 'generated';
+  return [...new Set(names.map(fileOf))]
+    .sort()
+    .map((file) => {
+      const used = names.filter((name) => fileOf(name) === file);
+      const list =
+        used.length === 1 ? ` ${used[0]} ` : `\n${used.map((n) => `  ${n},\n`).join('')}`;
+      return `import type {${list}} from './${file}.js';\n`;
+    })
+    .join('');
 }
 
 /** The names that generated.ts defines. */

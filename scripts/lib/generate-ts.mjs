@@ -113,7 +113,6 @@ function enumParts(schema) {
   return schema.enums.flatMap(({ name, text, values, bits, ...products }) => {
     if (bits || !isIn(products, 'package')) return [];
     const all = new Set(values.flatMap((value) => value.of ?? []));
-    all.delete('verify'); // of the program alone
     if (all.size === 0)
       return unionType(
         name,
@@ -170,23 +169,30 @@ function fileParts(schema) {
   ];
 }
 
-/** Options whose code is loaded when they are first used, so they have a file of their own. */
-const isLate = ({ verb }) => verb === 'bake';
+/** Options whose code is loaded when they are first used, so each set has a file of its own. */
+const isLate = ({ verb }) => ['bake', 'verify'].includes(verb);
 
-export function renderLateOptions(schema) {
-  const parts = optionSets(ofPackage(schema)).filter(isLate).flatMap(optionParts);
-  return `${[TS_HEADER, ...parts].join('\n').trimEnd()}\n`;
-}
+export const lateSets = (schema) => optionSets(ofPackage(schema)).filter(isLate);
 
-/** What the options are for that the page has controls for. */
-export function renderOptionTexts({ unwrapOptions, packOptions }) {
+/** By verb, the file of each of these sets. */
+export const renderLateOptions = (schema) =>
+  lateSets(schema).map((set) => [
+    set.verb,
+    `${[TS_HEADER, ...optionParts(set)].join('\n').trimEnd()}\n`,
+  ]);
+
+/** What the options are for that the page has controls for; of verify, all that the package knows of them. */
+export function renderOptionTexts({ unwrapOptions, packOptions, verifyOptions }) {
   const table = (name, options) => {
     const rows = options.map((option) => `  ${option.name}: ${literal(fullText(option))},`);
     return `export const ${name} = {\n${rows.join('\n')}\n} as const;\n`;
   };
-  return [TS_HEADER, table('UNWRAP_TEXTS', unwrapOptions), table('PACK_TEXTS', packOptions)].join(
-    '\n',
-  );
+  return [
+    TS_HEADER,
+    table('UNWRAP_TEXTS', unwrapOptions),
+    table('PACK_TEXTS', packOptions),
+    `export const VERIFY_OPTIONS = {\n${verifyOptions.map(infoFields).join('\n')}\n} as const;\n`,
+  ].join('\n');
 }
 
 export function renderTypeScript(schema) {

@@ -275,7 +275,10 @@ test('what goes wrong leaves the document as it was, and is said with its place'
 
   const invalid = { code: 'InvalidOption' };
   assert.throws(() => unwrap({ texcoord: 1 }), { ...invalid, message: /await createAbflat/ });
-  await assert.rejects(abflat.unwrap(document), /no positions.*unwrap or pack of "abflat\/gltf"/);
+  await assert.rejects(
+    abflat.unwrap(document),
+    /no positions.*unwrap, pack or verifyDocument of "abflat\/gltf"/,
+  );
   assert.throws(() => unwrap(abflat, { texcoord: 0.5 }), invalid);
   assert.throws(() => unwrap(abflat, { groupBy: 'node' }), invalid);
   assert.throws(() => unwrap(abflat, { overwrite: 1 }), invalid);

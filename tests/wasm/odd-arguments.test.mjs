@@ -261,7 +261,7 @@ test('what only says that it is a typed array or a signal is none', async () => 
   await fails(abflat.unwrap({ positions: says('Float64Array') }), 'InvalidMesh', /positions/);
   await fails(abflat.inspect({ bytes: says('Uint8Array') }), 'InvalidMesh', /bytes/);
   await fails(abflat.inspect(grid(2), { signal: says('AbortSignal') }), 'InvalidOption', /signal/);
-  for (const call of ['flatten', 'unwrap', 'pack', 'compare', 'inspect'])
+  for (const call of ['flatten', 'unwrap', 'pack', 'verify', 'compare', 'inspect'])
     await fails(abflat[call](grid(2), { signal: { aborted: true } }), 'InvalidOption', /signal/);
 });
 

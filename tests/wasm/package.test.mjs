@@ -15,7 +15,8 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { SAMPLE_NAMES, STATUS_NAMES, STATUSES } from 'abflat';
+import { createAbflat, SAMPLE_NAMES, STATUS_NAMES, STATUSES } from 'abflat';
+import { unwrap } from 'abflat/gltf';
 import { withDraco, withMeshopt } from '../support/compressed-by-exporters.mjs';
 import {
   addMesh,
@@ -40,9 +41,9 @@ const BUILDS = { simd: 'abflat-simd', threads: 'abflat-threads' };
 const IMPORTS = /(?<!['"])\b(?:from|import)\s*\(?\s*['"]([^'"]+)['"]/g;
 /** Without those that are loaded later. */
 const AT_ONCE = /(?<!['"])\b(?:from|import)\s*['"]([^'"]+)['"]/g;
-/** What packs and what bakes, loaded with the first call of each. */
-const LATER = /pack|bake/;
-const MAX_PACKING_KB = 125;
+/** What packs, verifies and bakes, loaded with the first call of each. */
+const LATER = /pack|verify|bake/;
+const MAX_PACKING_KB = 138;
 const MAX_BAKING_KB = 60;
 
 /** The files that a script imports, including itself: `imports` says which. */
@@ -80,7 +81,7 @@ for (const [build, name] of Object.entries(BUILDS)) {
     assert.deepEqual(
       [...files].filter((file) => LATER.test(file)),
       [],
-      'nothing of what packs or bakes',
+      'nothing of what packs, verifies or bakes',
     );
     const sum = compressedSize(files);
     assert.ok(sum < 1024 * MAX_KB, `${sum} bytes`);
@@ -92,7 +93,7 @@ function compressedSize(files) {
   return bytes.reduce((a, b) => a + b, 0);
 }
 
-test(`what the first pack loads is under ${MAX_PACKING_KB} KB compressed`, (t) => {
+test(`what the first pack or verify loads is under ${MAX_PACKING_KB} KB compressed`, (t) => {
   const files = [...filesFrom('worker-pack.js'), 'abflat-pack.wasm'];
   const sum = compressedSize(files);
   t.diagnostic(`${sum} bytes in ${files.length} files`);
@@ -271,6 +272,27 @@ test('the examples of packing in the README run', async () => {
     assert.ok(primitivesOf(written)[0].getAttribute('TEXCOORD_1'));
   };
   await runExample('gltf-pack', check, { 'mesh.glb': await io.writeBinary(document) });
+});
+
+test('the examples of verifying in the README run', async () => {
+  await runExample('verify', (stdout) =>
+    assert.match(stdout, /^false\noverlapBetween .*faces 0 and 1/m),
+  );
+  const document = emptyDocument();
+  const primitive = primitiveOf(document, sphere(4));
+  const count = primitive.getAttribute('POSITION').getCount();
+  addMesh(
+    document,
+    'ball',
+    primitive.setAttribute('TEXCOORD_0', randomRows(document, 'VEC2', Float32Array, count)),
+  );
+  const options = { resolution: 2048, padding: 4 };
+  const abflat = await createAbflat();
+  await document.transform(unwrap(abflat, { ...options, overwrite: true }));
+  abflat.terminate();
+  await runExample('gltf-verify', (stdout) => assert.equal(stdout, ''), {
+    'mesh.glb': await io.writeBinary(document),
+  });
 });
 
 test('the examples without a worker, and with several, in the README run', async () => {

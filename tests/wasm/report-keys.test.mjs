@@ -72,6 +72,13 @@ test('pack', async () => {
     }
 });
 
+test('verify', async () => {
+  for (const mesh of [overlappingIslands(), EMPTY_IN_UV]) {
+    const { report } = await abflat.verify(file(mesh), { margin: 2 });
+    keys.check(report, 'VerifyReport');
+  }
+});
+
 test('unwrap', async () => {
   for (const text of [objText(defects()), NEEDLE, TOUCHING]) await unwrap(file(text));
   await unwrap(file(objText(defects())), { orient: true });

@@ -54,7 +54,7 @@ test('it is there at once, and gives the bytes of the package', async () => {
   for (const name of ['compare', 'inspect']) assert.ok(own[name](mesh));
   assert.deepEqual(
     Object.keys(other).filter((name) => !(name in own)),
-    ['pack', 'bake'],
+    ['pack', 'verify', 'bake'],
   );
 });
 

@@ -44,6 +44,7 @@ const CALLS = {
   unwrap: (a) => a.unwrap(TETRAHEDRON, { padding: 4 }),
   'unwrap of a file': (a) => a.unwrap({ bytes: bytesOf(objText(grid(9))), name: 'a.obj' }),
   pack: (a) => a.pack(SQUARE, { resolution: 64 }),
+  verify: (a) => a.verify(SQUARE, { padding: 3 }),
   bake: (a) =>
     a.bake(SQUARE, squareLayout, { image: oneColour(9, 99, 199, 255) }, { bakeResolution: 32 }),
   inspect: (a) => a.inspect(TETRAHEDRON),

@@ -243,7 +243,7 @@ test('unwrapGeometry refuses geometry without positions, and says what is wrong 
   for (const mesh of [box, new THREE.Mesh(box)])
     await assert.rejects(
       abflat.unwrap(mesh),
-      /no positions.*unwrapGeometry or packGeometry of "abflat\/three"/,
+      /no positions.*unwrapGeometry, packGeometry or verifyGeometry of "abflat\/three"/,
     );
   await assert.rejects(unwrapGeometry(abflat, box, { maxStretch: 0 }), { code: 'InvalidOption' });
   box.attributes.position.array[4] = Number.NaN;

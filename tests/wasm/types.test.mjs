@@ -71,7 +71,7 @@ export async function timed(controller: AbortController): Promise<void> {
 const GLTF = `
 import type { Document, Primitive } from '@gltf-transform/core';
 import type { Abflat } from 'abflat';
-import { bakeLayout, type DecodeImage, documentMesh, freeTexcoord, pack, sampledTexcoords, setTexcoords, unwrap } from 'abflat/gltf';
+import { bakeLayout, type DecodeImage, documentMesh, freeTexcoord, pack, sampledTexcoords, setTexcoords, unwrap, verifyDocument } from 'abflat/gltf';
 
 export async function all(abflat: Abflat, document: Document, primitive: Primitive): Promise<number[]> {
   await document.transform(unwrap(abflat, { texcoord: 'auto', onAtlas: ({ texcoord }) => texcoord }));
@@ -80,6 +80,8 @@ export async function all(abflat: Abflat, document: Document, primitive: Primiti
   const decode: DecodeImage = async ({ bytes }) => ({ data: bytes, width: 1, height: bytes.length / 4 });
   await document.transform(pack(abflat, { bake: { decode, encode: (image, map) => ({ bytes: new Uint8Array(image.data), mimeType: map === 'normal' ? 'image/png' : 'image/jpeg' }) } }));
   await document.transform(pack(abflat, { readTexcoord: 1, onAtlas: ({ result }) => result.report.islands }));
+  const [verified] = await verifyDocument(abflat, document, { groupBy: 'mesh', padding: 2, maxStretch: 'none' });
+  if (verified?.result.report.findings.some(({ rule }) => rule === 'stacked')) throw new Error(verified.parts[0]?.mesh.getName());
   const mesh = documentMesh(document);
   setTexcoords(mesh, await abflat.flatten(mesh), { texcoord: freeTexcoord(document), normalize: true });
   const { baked, notes } = await bakeLayout(abflat, mesh, await abflat.unwrap(mesh), { decode, padding: 4, onProgress: (fraction) => fraction.toFixed() });
@@ -88,12 +90,14 @@ export async function all(abflat: Abflat, document: Document, primitive: Primiti
 `;
 const THREE = `
 import type { Abflat } from 'abflat';
-import { packGeometry, toBufferGeometry, type UnwrappedMesh, unwrapGeometry, unwrapScene } from 'abflat/three';
+import { packGeometry, toBufferGeometry, type UnwrappedMesh, unwrapGeometry, unwrapScene, verifyGeometry } from 'abflat/three';
 import { BoxGeometry, type BufferGeometry, type Mesh, type Object3D } from 'three';
 
 export async function both(abflat: Abflat): Promise<BufferGeometry[]> {
   const { geometry, result } = await unwrapGeometry(abflat, new BoxGeometry(), { attribute: 'uv1' });
   const packed = await packGeometry(abflat, geometry, { readAttribute: 'uv1', islandSizes: 'even' });
+  const { report, faults } = await verifyGeometry(abflat, geometry, { attribute: 'uv1', resolution: [64, 32] });
+  if (!report.valid) throw new Error(report.findings[0]?.message ?? String(faults.length));
   return [packed.geometry, toBufferGeometry(result, { positions: [] })];
 }
 

@@ -39,6 +39,8 @@ Bytes resultOf(const InputJob& job, Field field) {
       return bytesOf(job.layout.faces);
     case Field::Faults:
       return bytesOf(job.layout.faults);
+    case Field::IslandOfFace:
+      return bytesOf(job.layout.islandOfFace);
   }
   return bytesOf(job.files[static_cast<int>(field) - kFirstFile]);
 }

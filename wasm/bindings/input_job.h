@@ -23,8 +23,9 @@ struct LayoutArrays {
   std::vector<std::uint32_t> chartOfTriangle;
   std::vector<EdgeVertices> seams;
   std::vector<double> unpacked;      ///< 2 per output vertex
-  std::vector<std::uint32_t> faces;  ///< input face per triangle, of a loaded file
-  std::vector<std::uint8_t> faults;  ///< per triangle, of a layout that was packed
+  std::vector<std::uint32_t> faces;  ///< input face per triangle
+  std::vector<std::uint8_t> faults;  ///< per triangle, of a layout that was packed or verified
+  std::vector<std::uint32_t> islandOfFace;  ///< of a layout that was verified
 };
 
 /// What every call about a mesh has: the input that JavaScript wrote, then the results that it

@@ -29,6 +29,7 @@ import {
 import { PackEngine } from './pack-engine.js';
 import type { Address, Files } from './platform.js';
 import type { AbflatSync, CreateSyncOptions } from './types/index.js';
+import { verifyCall } from './verify-call.js';
 
 const LATE: readonly LateName[] = ['pack', 'bake'];
 
@@ -65,6 +66,11 @@ export async function connectSync(
       packer.checkUsable();
       return packer.answer(packCall(packer, mesh, settings));
     },
+    verify: (mesh, settings = {}) => {
+      const packer = there('pack', pack, 'verify');
+      packer.checkUsable();
+      return packer.answer(verifyCall(packer, mesh, settings));
+    },
     bake: (mesh, layout, sources, settings = {}) => {
       const baker = there('bake', bake);
       baker.checkUsable();
@@ -76,11 +82,15 @@ export async function connectSync(
   };
 }
 
-function there(name: LateName, module: LocalModule | undefined): LocalModule {
+function there(
+  name: LateName,
+  module: LocalModule | undefined,
+  call: keyof AbflatSync = name,
+): LocalModule {
   if (module) return module;
   throw new AbflatError(
     'InvalidOption',
-    `${name} needs a module that was not loaded. Pass also: ['${name}'] to createAbflatSync, or the module itself as ${name}Url.`,
+    `${call} needs a module that was not loaded. Pass also: ['${name}'] to createAbflatSync, or the module itself as ${name}Url.`,
   );
 }
 

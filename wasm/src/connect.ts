@@ -85,6 +85,11 @@ async function open<L extends Lane>(
   });
   const packer = lateClient(platform, 'pack', late('pack'));
   const run = <T extends Answer>({ request, settings }: Call) => lane.call<T>(request, settings);
+  const runPacker = async <T extends Answer>({ request, settings }: Call) => {
+    const client = await packer.get();
+    client.checkUsable(settings.signal);
+    return client.call<T>(request, settings);
+  };
   return {
     build,
     flatten: async (mesh, settings = {}) => run(flattenCall(lane, mesh, settings)),
@@ -92,10 +97,12 @@ async function open<L extends Lane>(
     pack: async (mesh, settings = {}) => {
       lane.checkUsable();
       // The arguments are read at once, however long the module takes to load.
-      const call = packCall(lane, mesh, settings);
-      const client = await packer.get();
-      client.checkUsable(call.settings.signal);
-      return client.call(call.request, call.settings);
+      return runPacker(packCall(lane, mesh, settings));
+    },
+    verify: async (mesh, settings = {}) => {
+      lane.checkUsable();
+      const { verifyCall } = await loadRest();
+      return runPacker(verifyCall(lane, mesh, settings));
     },
     bake: async (mesh, layout, sources, settings = {}) => {
       lane.checkUsable();

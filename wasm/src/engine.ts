@@ -69,6 +69,7 @@ export class Engine extends MeshRunner<NativeModule> {
       case 'sample':
         return this.withJob((job) => this.#sample(job, request.name, request.detail));
       case 'pack':
+      case 'verify':
       case 'bake':
         throw new AbflatError('Internal', `Another module answers ${request.kind}.`);
     }

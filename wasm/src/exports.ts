@@ -21,8 +21,11 @@ export {
   UNWRAP_OPTIONS,
   type UnwrapOptionValues,
   type UnwrapStage,
+  type VerifyRule,
+  type VerifyStage,
 } from './base/generated.js';
 export type { BakeOptionValues } from './base/generated-bake.js';
 export { UV_FAULT } from './base/generated-bits.js';
+export type { VerifyOptionValues } from './base/generated-verify.js';
 export { SAMPLE_NAMES, type SampleName } from './base/samples.js';
 export type * from './types/index.js';

@@ -50,6 +50,11 @@ export { freeTexcoord, sampledTexcoords } from './gltf/texture-sets.js';
 export type { Weights } from './messages/weights.js';
 export { type PackDocumentOptions, type PackedDocumentAtlas, pack } from './pack-document.js';
 export type { Preset, PresetOptions } from './preset.js';
+export {
+  type VerifiedAtlas,
+  type VerifyDocumentOptions,
+  verifyDocument,
+} from './verify-document.js';
 
 export interface DocumentAtlas extends Pick<DocumentMesh, 'parts'> {
   result: UnwrapResult;

@@ -2,3 +2,4 @@
 
 export { Baker } from './baker.js';
 export { openPool } from './pool.js';
+export { verifyCall } from './verify-call.js';

@@ -3,6 +3,6 @@ import { instantiate } from './instantiate.js';
 import { PackEngine } from './pack-engine.js';
 import type { Start } from './serve.js';
 
-/** Runs the module that packs layouts. */
+/** Runs the module for layouts that a mesh has. */
 export const startPack: Start = async (module, maxMemory) =>
   PackEngine.of(await instantiate(module, create, { maxMemory }), maxMemory);

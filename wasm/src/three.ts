@@ -17,6 +17,7 @@ export {
   type UnwrapSceneOptions,
   unwrapScene,
 } from './unwrap-scene.js';
+export { type VerifyGeometryOptions, verifyGeometry } from './verify-geometry.js';
 
 export interface ToBufferGeometryOptions {
   /**

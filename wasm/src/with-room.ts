@@ -8,7 +8,7 @@ import type { Abflat, AbortSignalLike } from './types/index.js';
 
 /**
  * The same with at most `queue` calls beyond those that `workers` run: later ones wait, in their
- * order, before they read their arguments. `pack` and `bake` have one worker each.
+ * order, before they read their arguments. `pack` and `verify` share a worker, and `bake` has one.
  */
 export function withRoom(
   abflat: Abflat,
@@ -30,6 +30,7 @@ export function withRoom(
     load: (file, options) => main.admit(options, () => abflat.load(file, options)),
     sample: (name, options) => main.admit(options, () => abflat.sample(name, options)),
     pack: (mesh, options) => packing.admit(options, () => abflat.pack(mesh, options)),
+    verify: (mesh, options) => packing.admit(options, () => abflat.verify(mesh, options)),
     bake: (mesh, layout, sources, options) =>
       baking.admit(options, () => abflat.bake(mesh, layout, sources, options)),
     terminate: () => {

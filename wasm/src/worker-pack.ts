@@ -1,4 +1,4 @@
-// Entry of the Web Worker that packs layouts.
+// Entry of the Web Worker that packs and verifies layouts.
 
 import { serveWeb } from './serve-web.js';
 import { startPack } from './start-pack.js';

@@ -126,3 +126,48 @@ PACK_OPTIONS: dict[str, OptionInfo] = {
     "keep_places": OptionInfo("keepPlaces", False, "", "islands stay where they are, and the layout is only judged; of the other options only resolution and udim count then"),
     "threads": OptionInfo("threads", 0, "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one"),
 }
+
+
+class VerifyOptions(TypedDict, total=False):
+    """What a layout must keep to, as plain values, with their defaults."""
+
+    resolution: Union[int, tuple[int, int]]
+    udim: bool
+    padding: float
+    margin: float
+    mip_levels: int
+    min_island_width: float
+    min_texel_density: Union[float, Literal["none"]]
+    max_texel_density: Union[float, Literal["none"]]
+    max_density_ratio: Union[float, Literal["none"]]
+    max_stretch: Union[float, Literal["none"]]
+    min_utilization: float
+    max_islands: Union[int, Literal["none"]]
+    allow_stacked: bool
+    allow_mirrored: bool
+    allow_overlaps: bool
+    allow_outside_tiles: bool
+    allow_empty: bool
+    allow_unmapped: bool
+
+
+VERIFY_OPTIONS: dict[str, OptionInfo] = {
+    "resolution": OptionInfo("resolution", 1024, "at least 16 and at most 32768, whole, or two of these, as in (2048, 1024)", "side of the texture in texels, or its width and height: for distances, widths and texel densities"),
+    "udim": OptionInfo("udim", False, "", "islands may lie in any UDIM tile: from 1001 on, ten per row, u from 0 to 10"),
+    "padding": OptionInfo("padding", 0, "at least 0 and at most 1024", "least distance between two islands in texels"),
+    "margin": OptionInfo("margin", 0, "at least 0 and at most 1024", "least distance between an island and the edge of its tile in texels"),
+    "mip_levels": OptionInfo("mipLevels", 0, "at least 0 and at most 15, whole", "mip levels below the texture in which padding and margin must hold, too: distances are half as many texels in each"),
+    "min_island_width": OptionInfo("minIslandWidth", 0, "at least 0 and at most 32768", "least width of an island in texels, across the shorter side of its smallest box"),
+    "min_texel_density": OptionInfo("minTexelDensity", "none", "above 0, or none", "least texels per mesh unit of a face; a glTF is in metres"),
+    "max_texel_density": OptionInfo("maxTexelDensity", "none", "above 0, or none", "most texels per mesh unit of a face"),
+    "max_density_ratio": OptionInfo("maxDensityRatio", "none", "at least 1, or none", "how many times as dense as another an island may be"),
+    "max_stretch": OptionInfo("maxStretch", "none", "above 1, or none", "largest stretch of an island: its mean symmetric Dirichlet energy / 4, where 1 keeps all lengths"),
+    "min_utilization": OptionInfo("minUtilization", 0, "at least 0 and at most 1", "least share of the tiles that islands cover"),
+    "max_islands": OptionInfo("maxIslands", "none", "at least 1 and at most 1000000000, whole, or none", "most islands"),
+    "allow_stacked": OptionInfo("allowStacked", False, "", "islands may lie on each other if they cover the same place"),
+    "allow_mirrored": OptionInfo("allowMirrored", False, "", "whole islands may run clockwise"),
+    "allow_overlaps": OptionInfo("allowOverlaps", False, "", "islands may overlap others and themselves"),
+    "allow_outside_tiles": OptionInfo("allowOutsideTiles", False, "", "islands may leave their tile, as with textures that repeat"),
+    "allow_empty": OptionInfo("allowEmpty", False, "", "faces with area may have none in uv"),
+    "allow_unmapped": OptionInfo("allowUnmapped", False, "", "faces may be without texcoords"),
+}

@@ -16,9 +16,10 @@ enum class Field : int {
   Unpacked = 7,  ///< uv before packing
   Faces = 8,  ///< input face of each triangle of a loaded file
   Faults = 9,  ///< what is wrong with each triangle in uv: a sum of the bits of UvFault
+  IslandOfFace = 10,  ///< uv island of each input face
 };
 
 /// The file of the first MeshFormat, as a Field; those of the others follow.
-constexpr int kFirstFile = 10;
+constexpr int kFirstFile = 11;
 
 }  // namespace abflat::bindings

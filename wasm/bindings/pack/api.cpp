@@ -1,5 +1,5 @@
-// The functions that JavaScript calls of the module that packs layouts, besides those of
-// input_api.cpp.
+// The functions that JavaScript calls of the module that packs and verifies layouts, besides those
+// of input_api.cpp.
 
 #include <emscripten/emscripten.h>
 
@@ -9,6 +9,7 @@
 #include "buffers.h"
 #include "callbacks.h"
 #include "pack_job.h"
+#include "verify_job.h"
 
 using abflat::Precision;
 using abflat::bindings::finish;
@@ -26,6 +27,11 @@ EMSCRIPTEN_KEEPALIVE void abflatFreeJob(Job* job) { delete job; }
 /// Sets option number `index` of packing a layout, in the order of PACK_OPTIONS, to a number.
 EMSCRIPTEN_KEEPALIVE int abflatSetPackOption(Job* job, int index, double value) {
   return setNumber(*job, job->packOptions, index, value);
+}
+
+/// The same for verifying one, in the order of VERIFY_OPTIONS.
+EMSCRIPTEN_KEEPALIVE int abflatSetVerifyOption(Job* job, int index, double value) {
+  return setNumber(*job, job->verifyOptions, index, value);
 }
 
 /// Buffer for coordinates in place of the texcoords of the mesh, two per corner of its triangles.
@@ -48,6 +54,11 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t* abflatIslandTiles(Job* job, std::size_t size
 EMSCRIPTEN_KEEPALIVE int abflatPack(Job* job, unsigned files, bool roundsForGltf) {
   job->packOptions.precision = roundsForGltf ? Precision::Gltf : Precision::Double;
   return finish(*job, packJob(*job, files >> kFirstFile, tellProgress));
+}
+
+/// Verifies the layout that the mesh has.
+EMSCRIPTEN_KEEPALIVE int abflatVerify(Job* job) {
+  return finish(*job, verifyJob(*job, tellProgress));
 }
 
 }  // extern "C"

@@ -3,13 +3,15 @@
 #include <vector>
 
 #include "abflat/pack_layout.h"
+#include "abflat/verify.h"
 #include "layout_job.h"
 
 namespace abflat::bindings {
 
-/// One call of the module that packs layouts.
+/// One call of the module for layouts that a mesh has.
 struct Job : InputJob {
   PackLayoutOptions packOptions;
+  VerifyOptions verifyOptions;
   /// 2 per corner of a triangle, in place of the texcoords of the mesh; empty: those.
   std::vector<double> triangleUv;
 };

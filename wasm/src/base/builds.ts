@@ -6,7 +6,7 @@
  */
 export type Build = 'simd' | 'threads';
 
-/** What few pages need is in modules of their own: one packs layouts that are there, one bakes. */
+/** What few pages need is in modules of their own: one packs and verifies layouts that are there, one bakes. */
 export type LateName = 'pack' | 'bake';
 
 /** A module of the package: a build of the main one, or one of the others. */

@@ -12,6 +12,7 @@ export const RESULT_ARRAYS = {
   unpacked: { field: 7, Kind: Float64Array },
   faces: { field: 8, Kind: Uint32Array },
   faults: { field: 9, Kind: Uint8Array },
-  obj: { field: 10, Kind: Uint8Array },
-  ply: { field: 11, Kind: Uint8Array },
+  islandOfFace: { field: 10, Kind: Uint32Array },
+  obj: { field: 11, Kind: Uint8Array },
+  ply: { field: 12, Kind: Uint8Array },
 } as const;

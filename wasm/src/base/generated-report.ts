@@ -9,7 +9,9 @@ import type {
   Solver,
   StatusName,
   UnwrapOptionValues,
+  VerifyRule,
 } from './generated.js';
+import type { VerifyOptionValues } from './generated-verify.js';
 
 /** A bound of t pi for one boundary vertex, in place of the common t; if a vertex has several, the last one counts. */
 export interface VertexBound {
@@ -487,6 +489,76 @@ export interface PackReport {
   valid: boolean;
   /** Seconds that each stage took. */
   timings: PackTimings;
+}
+
+/** Something that a layout does not keep to. */
+export interface VerifyFinding {
+  /** What is asked. */
+  rule: VerifyRule;
+  /** What was found and where, one sentence. */
+  message: string;
+  /** Faces of the input where it was found: all, or the first hundred. */
+  faces: number[];
+  /** The islands of these. */
+  islands: number[];
+  /** What was measured; null where nothing is measured. */
+  value: number | null;
+  /** What it should be at least, or at most; null where nothing is measured. */
+  limit: number | null;
+}
+
+/** Seconds that each stage of verify took. */
+export interface VerifyTimings {
+  /** Reading the input, in seconds. */
+  read: number;
+  /** Checking and measuring the result, in seconds. */
+  check: number;
+  /** The whole run, in seconds. */
+  total: number;
+}
+
+/** The report of verify. */
+export interface VerifyReport {
+  /** Version of abflat. */
+  version: string;
+  /** The input. */
+  input: InputSummary;
+  /** The options as asked. */
+  options: VerifyOptionValues;
+  /** Uv islands: faces joined where they have an edge and its texcoords in common. */
+  islands: number;
+  /** Islands most of whose area runs clockwise. */
+  mirrored: number;
+  /** Faces without texcoords at every corner. */
+  unmapped: number;
+  /** Faces of islands, decided exactly on the numbers in the file; one may be counted for several reasons. */
+  faces: { overlapping: number; flipped: number; empty: number; outside: number };
+  /** Islands that overlap. */
+  overlapping: { themselves: number; pairs: number; stacked: number };
+  /** UDIM numbers of the tiles that islands are in, 1001 for u and v from 0 to 1. */
+  tiles: number[];
+  /** In texels; null if there is none. */
+  distance: { islands: number | null; edge: number | null };
+  /** Width of the narrowest island in texels, across the shorter side of its smallest box; null if there is none. */
+  narrowest: number | null;
+  /** Texels per mesh unit; null if no face has area. */
+  texelDensity: { mean: number | null; min: number | null; max: number | null; ratio: number | null };
+  /** Symmetric Dirichlet energy / 4, the mean over all islands by 3D area, each island at its own scale; faces without area in uv are left out; null if no face has area. */
+  symmetricDirichlet: number | null;
+  /** The same, of the island where it is largest; null if no face has area. */
+  worstStretch: number | null;
+  /** Ratio σ₁/σ₂ of the singular values of the map (1 = conformal); null if no face has area. */
+  quasiConformal: { mean: number | null; max: number | null };
+  /** Share of the tiles that islands cover; stacked ones count once, other overlaps twice. */
+  utilization: number;
+  /** What the layout does not keep to; of each rule all, or the first hundred. */
+  findings: VerifyFinding[];
+  /** Remarks about the input, one sentence each. */
+  notes: string[];
+  /** Whether nothing was found. */
+  valid: boolean;
+  /** Seconds that each stage took. */
+  timings: VerifyTimings;
 }
 
 /** How one method flattens a mesh; measures are null without a layout, and where they are infinite. */

@@ -253,8 +253,14 @@ export type PackStage = 'read' | 'pack' | 'check' | 'write';
 /** A stage of a run of bake. */
 export type BakeStage = 'read' | 'write';
 
+/** A stage of a run of verify. */
+export type VerifyStage = 'read' | 'check';
+
 /** A stage of a run of compare. */
 export type CompareStage = 'read';
+
+/** What verify asks of a layout. */
+export type VerifyRule = 'flipped' | 'empty' | 'overlap' | 'overlapBetween' | 'stacked' | 'outside' | 'padding' | 'margin' | 'thin' | 'density' | 'densityRatio' | 'stretch' | 'utilization' | 'islands' | 'unmapped';
 
 /** A method of compare. */
 export type MethodKey = 'abflatAuto' | 'abflatConvex' | 'abflatFree' | 'abflatBalanced' | 'symmetricDirichlet' | 'mips' | 'tutte' | 'meanValue' | 'harmonic' | 'lscm';

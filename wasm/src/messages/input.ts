@@ -22,9 +22,9 @@ const WANTED = 'The mesh must be { positions, indices } or { bytes, name }';
 /** Advice for the mesh objects of other libraries. */
 function hintFor(mesh: object): string {
   if ('isBufferGeometry' in mesh || 'isObject3D' in mesh)
-    return '. For three.js geometry, use unwrapGeometry or packGeometry of "abflat/three"';
+    return '. For three.js geometry, use unwrapGeometry, packGeometry or verifyGeometry of "abflat/three"';
   if ('getRoot' in mesh)
-    return '. For glTF-Transform documents, use unwrap or pack of "abflat/gltf"';
+    return '. For glTF-Transform documents, use unwrap, pack or verifyDocument of "abflat/gltf"';
   return '';
 }
 
@@ -93,8 +93,8 @@ function refuseGltf(bytes: Uint8Array, name: string): void {
   if (!isBinary && !/\.gl(b|tf)$/i.test(name)) return;
   throw new AbflatError(
     'UnreadableFile',
-    `${name} is a glTF. Read it with glTF-Transform and use unwrap or pack of "abflat/gltf", or with GLTFLoader of three.js and use ` +
-      'unwrapGeometry or packGeometry of "abflat/three".',
+    `${name} is a glTF. Read it with glTF-Transform and use unwrap, pack or verifyDocument of "abflat/gltf", or with GLTFLoader of three.js and use ` +
+      'unwrapGeometry, packGeometry or verifyGeometry of "abflat/three".',
   );
 }
 

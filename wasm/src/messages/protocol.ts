@@ -16,6 +16,8 @@ import type {
   TriangleMesh,
   UnwrapProgress,
   UnwrapResult,
+  VerifyProgress,
+  VerifyResult,
 } from '../types/index.js';
 
 export interface OwnedFile {
@@ -94,6 +96,16 @@ export interface PackRequest extends LayoutRequest {
   arrays: OwnPackArrays;
 }
 
+export interface VerifyRequest {
+  kind: 'verify';
+  mesh: OwnedMesh;
+  /** In place of the texcoords of the mesh. */
+  uv: Float64Array | undefined;
+  /** One number per option of VERIFY_OPTIONS, in its order. */
+  values: number[];
+  wantsProgress: boolean;
+}
+
 /** PackArrays that belong to the call. */
 export interface OwnPackArrays {
   uv: Float64Array | undefined;
@@ -151,6 +163,7 @@ export type Request =
   | FlattenRequest
   | UnwrapRequest
   | PackRequest
+  | VerifyRequest
   | BakeRequest
   | { kind: 'compare'; mesh: OwnedMesh; wantsProgress: boolean }
   | { kind: 'inspect'; mesh: OwnedMesh }
@@ -170,13 +183,20 @@ export type Answer =
   | FlattenResult
   | UnwrapResult
   | PackResult
+  | VerifyResult
   | BakedImage
   | Comparison
   | MeshSummary
   | TriangleMesh
   | PinWeights;
 
-export type AnyProgress = Progress | UnwrapProgress | PackProgress | BakeProgress | CompareProgress;
+export type AnyProgress =
+  | Progress
+  | UnwrapProgress
+  | PackProgress
+  | VerifyProgress
+  | BakeProgress
+  | CompareProgress;
 
 /** `stopped`: shared memory with the number of the call to cancel. */
 export type ToWorker =

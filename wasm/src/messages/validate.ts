@@ -130,7 +130,7 @@ export function checkFunction(name: string, value: unknown): void {
 }
 
 /** For functions that take abflat as an argument, to call the method `name`. */
-export function checkAbflat(abflat: unknown, name: 'unwrap' | 'pack' | 'bake'): void {
+export function checkAbflat(abflat: unknown, name: 'unwrap' | 'pack' | 'verify' | 'bake'): void {
   if (typeof fieldOf(abflat, name) !== 'function')
     throw invalid(
       'The first argument must be what createAbflat resolves to: await createAbflat().',
@@ -306,6 +306,10 @@ export function packArrays(options: PackArrays): OwnPackArrays {
     tileOfIsland: copy('tileOfIsland') as Uint32Array | undefined,
   };
 }
+
+/** A copy of coordinates for the corners of triangles, for verify. */
+export const triangleUv = (given: unknown) =>
+  copyOf('uv', PACK_ARRAYS.uv, given) as Float64Array | undefined;
 
 interface ArrayInfo {
   readonly type: 'index' | 'number';

@@ -9,6 +9,7 @@ import type { AbortSignalLike, CallOptions, PinWeights } from './layout.js';
 import type { LoadedMesh, MeshArrays, MeshFile, MeshInput, TriangleMesh } from './mesh.js';
 import type { PackOptions, PackResult } from './pack.js';
 import type { UnwrapOptions, UnwrapResult } from './unwrap.js';
+import type { VerifyOptions, VerifyResult } from './verify.js';
 
 export interface SampleOptions {
   signal?: AbortSignalLike;
@@ -28,6 +29,11 @@ export interface Abflat {
    * on each other stay together.
    */
   pack(mesh: MeshInput, options?: PackOptions): Promise<PackResult>;
+  /**
+   * Says what the layout that a mesh has does not keep to, whichever program made it. The code for
+   * it is loaded with the first call, so leave the arrays alone until the promise settles.
+   */
+  verify(mesh: MeshInput, options?: VerifyOptions): Promise<VerifyResult>;
   /**
    * Paints what images show in the old layout of a mesh into one image for its new layout. The
    * triangles of material i show source i; without materials, the only or first one. The code for it
@@ -68,7 +74,7 @@ type Returning<Method> = Method extends (...given: infer Arguments) => Promise<i
 export type AbflatSync = { [Name in keyof Abflat]: Returning<Abflat[Name]> };
 
 /** The calls of the module that `abflat/single` has inside. */
-export type AbflatSingle = Omit<AbflatSync, 'pack' | 'bake'>;
+export type AbflatSingle = Omit<AbflatSync, 'pack' | 'verify' | 'bake'>;
 
 /** What runs a call, whether it returns a result or a promise of one. */
 export type AnyAbflat<Method extends keyof Abflat> = {

@@ -29,7 +29,7 @@ export interface ModuleOptions {
    * also a path; or the module itself.
    */
   wasmUrl?: ModuleSource;
-  /** The same for abflat-pack.wasm, which `pack` needs. */
+  /** The same for abflat-pack.wasm, which `pack` and `verify` need. */
   packUrl?: ModuleSource;
   /** The same for abflat-bake.wasm, which `bake` needs. */
   bakeUrl?: ModuleSource;

@@ -10,3 +10,4 @@ export type * from './layout.js';
 export type * from './mesh.js';
 export type * from './pack.js';
 export type * from './unwrap.js';
+export type * from './verify.js';
