@@ -22,6 +22,7 @@ export const LATER = [
   'seam-painter',
   'solid',
   'stacks',
+  'verify-tab',
   'writing',
 ];
 

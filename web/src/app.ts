@@ -26,7 +26,7 @@ import {
 } from './model/model';
 import { isByHand, type Settings } from './model/settings';
 import { FIRST_SAMPLE } from './opening/open-mesh';
-import { objectsTab, ResultPanels } from './result-panels';
+import { objectsTab, ResultPanels, verifyTab } from './result-panels';
 import { exportParts, Saving } from './saving';
 import { SeamPanel } from './seams/seam-panel';
 import { stackParts } from './session/lay-out';
@@ -86,6 +86,7 @@ export class App implements SessionEvents {
     helpParts,
     exportParts,
     objectsTab,
+    verifyTab,
     ownImages,
   ]);
   /** What the button beside the last run does. */

@@ -10,6 +10,7 @@ import { type MetricsEvents, MetricsPanel } from './details/metrics';
 import type { ObjectsTab } from './details/objects-tab';
 import { SolverTab } from './details/solver-tab';
 import { SweepTab } from './details/sweep-tab';
+import type { VerifyTab } from './details/verify-tab';
 import type { LayoutControls } from './layout-controls';
 import type { FlatDrawing } from './model/drawing';
 import { foundChart } from './model/found-chart';
@@ -41,6 +42,7 @@ const NOTES: Record<Mode, { tab: Tab; notes: string }> = {
 };
 
 export const objectsTab = () => loadPart(import('./details/objects-tab'));
+export const verifyTab = () => loadPart(import('./details/verify-tab'));
 
 /** The last result: its layout, its numbers and its details. */
 export class ResultPanels {
@@ -55,6 +57,8 @@ export class ResultPanels {
   private readonly islands: IslandsTab;
   /** Loaded with the first mesh that has objects. */
   private objects: ObjectsTab | null = null;
+  /** Loaded with the first layout that it can judge. */
+  private verify: VerifyTab | null = null;
   private readonly sweep: SweepTab;
   private readonly methods: MethodsTab;
   private readonly shownMethod: ShownMethod;
@@ -63,7 +67,7 @@ export class ResultPanels {
   private last: { outcome: Outcome; drawing: FlatDrawing } | null = null;
 
   constructor(
-    session: Session,
+    private readonly session: Session,
     private readonly workshop: Workshop,
     private readonly controls: LayoutControls,
     private readonly views: Views | null,
@@ -129,6 +133,7 @@ export class ResultPanels {
     this.leaveMethod();
     this.methods.stop();
     this.sweep.stop();
+    this.verify?.show(null);
   }
 
   /** Shows the result again, if another method is shown; returns whether one was. */
@@ -138,7 +143,9 @@ export class ResultPanels {
 
   /** Returns whether there was anything to stop or leave. */
   stop(): boolean {
-    return this.sweep.stop() || this.methods.stop() || this.leaveMethod();
+    return (
+      this.sweep.stop() || this.methods.stop() || Boolean(this.verify?.stop()) || this.leaveMethod()
+    );
   }
 
   /** Another mesh is on screen; it has no result yet. */
@@ -162,6 +169,7 @@ export class ResultPanels {
     this.charts.clear();
     this.islands.clear();
     void this.objects?.show(null);
+    this.verify?.show(null);
     this.solver.clear();
   }
 
@@ -188,6 +196,7 @@ export class ResultPanels {
     this.charts.showSelected(states.selected);
     this.islands.showSelected(states.selected);
     this.objects?.showStates(states);
+    this.verify?.showSelected(states.selected);
   }
 
   /**
@@ -212,6 +221,7 @@ export class ResultPanels {
 
   private showDetails(outcome: Outcome, { areas, chartColors }: FlatDrawing): void {
     const { bound, locks } = this.controls;
+    if (outcome.mode !== 'flatten') void this.offerVerify();
     if (outcome.mode === 'unwrap') {
       locks.show(outcome);
       this.charts.show(outcome, chartColors);
@@ -247,6 +257,16 @@ export class ResultPanels {
       await this.objects.show(this.outcome);
     } catch (error) {
       say(reasonOf(error as Error));
+    }
+  }
+
+  private async offerVerify(): Promise<void> {
+    try {
+      const { VerifyTab } = await verifyTab();
+      this.verify ??= new VerifyTab(this.session, this.views, this.events);
+      this.verify.show(this.last);
+    } catch (error) {
+      this.events.say(reasonOf(error as Error));
     }
   }
 

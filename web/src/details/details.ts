@@ -2,14 +2,25 @@ import { element } from '../base/dom';
 import type { Mode } from '../model/settings';
 
 /** The tabs, as their ids in the page. */
-export type Tab = 'solver' | 'sweep' | 'methods' | 'charts' | 'objects' | 'islands' | 'history';
+export type Tab =
+  | 'solver'
+  | 'sweep'
+  | 'methods'
+  | 'charts'
+  | 'objects'
+  | 'islands'
+  | 'verify'
+  | 'history';
 
-const TABS: Tab[] = ['solver', 'sweep', 'methods', 'charts', 'objects', 'islands', 'history'];
+const TABS: Tab[] = [
+  ...(['solver', 'sweep', 'methods', 'charts', 'objects', 'islands', 'verify'] as const),
+  'history',
+];
 /** The tabs of each kind of layout. */
 const TABS_OF: Record<Mode, Tab[]> = {
   flatten: ['solver', 'sweep', 'methods', 'history'],
-  unwrap: ['charts', 'objects', 'history'],
-  pack: ['islands', 'objects', 'history'],
+  unwrap: ['charts', 'objects', 'verify', 'history'],
+  pack: ['islands', 'objects', 'verify', 'history'],
 };
 
 /** The pane that opens beside the layout and shows one of its tabs at a time. */

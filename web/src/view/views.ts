@@ -186,6 +186,11 @@ export class Views {
     for (const { surface } of [this.mesh, this.layout]) surface.light(chart);
   }
 
+  /** What both views draw. */
+  get surfaces() {
+    return { mesh: this.mesh.surface, layout: this.layout.surface };
+  }
+
   goToCharts(charts: number[]): void {
     this.mesh.goTo(charts);
     this.layout.goTo(charts);
