@@ -207,6 +207,10 @@ def default_fields(node):
                 yield key.value, ast.unparse(value)
 
 
+def is_option_table(value):
+    return isinstance(value, ast.Dict) and all(isinstance(each, ast.Call) for each in value.values)
+
+
 def options_text(name, node):
     """A table of OptionInfo(name, default, range, text)."""
     lines = [f"### {name}\n", "| Option | Default | Range | Meaning |\n|---|---|---|---|"]
@@ -223,7 +227,7 @@ def text_of(package, source, name):
         return "\n".join([f"### {name}\n", code(signature(name, node)), *paragraph(doc_of(node))])
     if isinstance(node, ast.ClassDef):
         return class_text(package, where, name, node)
-    if isinstance(node.value, ast.Dict):
+    if is_option_table(node.value):
         return options_text(name, node)
     return "\n".join([f"### {name}\n", code(ast.unparse(node))])
 

@@ -1,6 +1,6 @@
 // The Python side of the schema: the options of each call, with their types.
 
-import { fullText, kebabCase, ofPackage, optionSets, pascalCase, rangeText } from './schema.mjs';
+import { constantCase, fullText, kebabCase, ofPackage, optionSets, pascalCase, rangeText } from './schema.mjs';
 
 const HEADER = `# Generated from core/schema by scripts/generate.mjs, do not edit.
 """The options of each call."""
@@ -61,8 +61,15 @@ function renderSet({ verb, text, options }) {
   ];
 }
 
+/** A value for each bit. */
+function renderBits({ name, text, values }) {
+  const bits = values.map((value, i) => `    ${literal(value.name)}: ${1 << i},`);
+  return `\n# The bits for ${text}.\n${constantCase(name)}: dict[str, int] = {\n${bits.join('\n')}\n}\n`;
+}
+
 /** Baking is for files, which Python does not read. */
 export function renderPython(schema) {
   const sets = optionSets(ofPackage(schema)).filter(({ verb }) => verb !== 'bake');
-  return `${[HEADER, ...sets.flatMap(renderSet)].join('\n').trimEnd()}\n`;
+  const bits = schema.enums.filter((each) => each.bits).map(renderBits);
+  return `${[HEADER, ...sets.flatMap(renderSet), ...bits].join('\n').trimEnd()}\n`;
 }

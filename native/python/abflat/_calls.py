@@ -1,4 +1,4 @@
-"""unwrap, flatten and pack."""
+"""unwrap, flatten, pack and verify."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ import numpy as np
 
 from . import _abflat
 from ._errors import AbflatError
-from ._generated import FLATTEN_OPTIONS, PACK_OPTIONS, UNWRAP_OPTIONS
+from ._generated import FLATTEN_OPTIONS, PACK_OPTIONS, UNWRAP_OPTIONS, VERIFY_OPTIONS
 from ._layout import with_layout, with_materials, with_objects
-from ._mesh import mesh_of
+from ._mesh import Mesh, mesh_of
 from ._options import checked, present
-from ._results import FlattenResult, PackResult, UnwrapResult, fields_of
+from ._results import FlattenResult, PackResult, UnwrapResult, VerifyResult, fields_of
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._generated import FlattenOptions, PackOptions, UnwrapOptions
+    from ._generated import FlattenOptions, PackOptions, UnwrapOptions, VerifyOptions
 
 Progress = Optional[Callable[[str, float], Any]]
 
@@ -26,6 +26,7 @@ _UNWRAP_EXTRAS = ("uv", "uv_faces", "materials", "seams", "seam_edges", "pins", 
 _UNWRAP_EXTRAS += ("vertex_objects", "precision", "progress")
 _FLATTEN_EXTRAS = ("pins", "bounds", "straight", "progress")
 _PACK_EXTRAS = ("uv_faces", "precision", "progress")
+_VERIFY_EXTRAS = ("uv_faces", "progress")
 
 
 def unwrap(
@@ -114,13 +115,36 @@ def pack(
     corners. A row with NaN is none.
     """
     values = checked("pack", options, PACK_OPTIONS, _PACK_EXTRAS)
+    mesh = _laid_out(positions, faces, uv, uv_faces)
+    extras = {"precision": _precision(precision)}
+    return PackResult(**fields_of(_abflat.pack(mesh.arrays, values, extras, progress)))
+
+
+def verify(
+    positions: Any,
+    faces: Any,
+    uv: Any,
+    uv_faces: Any = None,
+    *,
+    progress: Progress = None,
+    **options: Unpack[VerifyOptions],
+) -> VerifyResult:
+    """Says what the layout of a mesh does not keep to, whichever program made it.
+
+    ``uv`` and ``uv_faces`` are as in ``pack``. The options are the rules, each of which allows or
+    asks for something: ``padding=8``, ``max_stretch=1.1``, ``allow_stacked=True``.
+    """
+    values = checked("verify", options, VERIFY_OPTIONS, _VERIFY_EXTRAS)
+    mesh = _laid_out(positions, faces, uv, uv_faces)
+    return VerifyResult(**fields_of(_abflat.verify(mesh.arrays, values, progress)))
+
+
+def _laid_out(positions: Any, faces: Any, uv: Any, uv_faces: Any) -> Mesh:
     mesh = mesh_of(positions, faces)
     texcoords = np.asarray(uv, dtype=np.float64)
     if texcoords.ndim != 2 or texcoords.shape[1] != 2:
         raise AbflatError("InvalidMesh", f"uv has the shape {texcoords.shape}; it must be (K, 2)")
-    extras = {"precision": _precision(precision)}
-    arrays = _abflat.pack(with_layout(mesh, uv, uv_faces).arrays, values, extras, progress)
-    return PackResult(**fields_of(arrays))
+    return with_layout(mesh, uv, uv_faces)
 
 
 def _precision(name: str) -> str:

@@ -171,3 +171,12 @@ VERIFY_OPTIONS: dict[str, OptionInfo] = {
     "allow_empty": OptionInfo("allowEmpty", False, "", "faces with area may have none in uv"),
     "allow_unmapped": OptionInfo("allowUnmapped", False, "", "faces may be without texcoords"),
 }
+
+
+# The bits for what is wrong with a face in uv.
+UV_FAULT: dict[str, int] = {
+    "overlapping": 1,
+    "flipped": 2,
+    "empty": 4,
+    "outside": 8,
+}

@@ -74,10 +74,39 @@ class PackResult(Layout):
     """(T,) int32: the island of each triangle; -1 without texcoords."""
 
 
+@dataclass(frozen=True, eq=False, repr=False)
+class VerifyResult:
+    """What a layout does not keep to."""
+
+    report: dict[str, Any]
+    """The report, with the keys of docs/report.md; its findings name faces and islands."""
+    island_of_face: np.ndarray
+    """(F,) int32: the island of each face of the input; -1 without texcoords."""
+    face_of_triangle: np.ndarray
+    """(T,) uint32: the face of each triangle; polygons are triangulated in their order."""
+    faults: np.ndarray
+    """(T,) uint8: what is wrong with each triangle in uv, a sum of values of UV_FAULT."""
+
+    @property
+    def valid(self) -> bool:
+        """Whether nothing was found."""
+        return self.report["valid"]
+
+    @property
+    def findings(self) -> list[dict[str, Any]]:
+        """What was found: rule, message, faces, islands, value and limit."""
+        return self.report["findings"]
+
+    def __repr__(self) -> str:
+        count = len(self.findings)
+        found = f"{count} finding{'' if count == 1 else 's'}" if count else "valid"
+        return f"<{type(self).__name__}: {self.report['islands']} islands, {found}>"
+
+
 def fields_of(arrays: dict[str, Any]) -> dict[str, Any]:
     """Numbers that stand for nothing, 2**32 - 1, become -1."""
     fields = dict(arrays, report=json.loads(arrays["report"]))
-    for name in ("chart_of_triangle", "chart_of_face", "island_of_triangle"):
+    for name in ("chart_of_triangle", "chart_of_face", "island_of_triangle", "island_of_face"):
         if name in fields:
             fields[name] = fields[name].view(np.int32)
     return fields

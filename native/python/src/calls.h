@@ -14,5 +14,7 @@ pybind11::dict flattenArrays(const MeshArrays& mesh, const pybind11::dict& optio
                              const pybind11::dict& extras, pybind11::object progress);
 pybind11::dict packArrays(const MeshArrays& mesh, const pybind11::dict& options,
                           const pybind11::dict& extras, pybind11::object progress);
+pybind11::dict verifyArrays(const MeshArrays& mesh, const pybind11::dict& options,
+                            pybind11::object progress);
 
 }  // namespace abflat::python

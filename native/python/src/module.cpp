@@ -19,4 +19,5 @@ PYBIND11_MODULE(_abflat, m) {
   m.def("unwrap", abflat::python::unwrapArrays);
   m.def("flatten", abflat::python::flattenArrays);
   m.def("pack", abflat::python::packArrays);
+  m.def("verify", abflat::python::verifyArrays);
 }

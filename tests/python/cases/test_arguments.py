@@ -100,6 +100,7 @@ class Options(unittest.TestCase):
             (abflat.UNWRAP_OPTIONS, lambda **o: abflat.unwrap(positions, triangles, **o)),
             (abflat.FLATTEN_OPTIONS, lambda **o: abflat.flatten(positions, triangles[:1], **o)),
             (abflat.PACK_OPTIONS, lambda **o: abflat.pack(positions, triangles[:1], uv, **o)),
+            (abflat.VERIFY_OPTIONS, lambda **o: abflat.verify(positions, triangles[:1], uv, **o)),
         ):
             result = call(**{name: info.default for name, info in options.items()})
             for info in options.values():
