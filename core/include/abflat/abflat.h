@@ -25,13 +25,13 @@ typedef struct abflat_mesh {
   size_t index_size;      /* bytes of a vertex's number: 2 (unsigned), 4 or 8; 0: 4 */
   size_t triangle_stride; /* bytes from one triangle to the next; 0: they follow each other */
   size_t triangle_count;
-  const void* texcoords; /* u, v of each vertex, NaN if it has none; only abflat_pack reads them */
+  const void* texcoords; /* u, v of each vertex, NaN if it has none; abflat_unwrap ignores them */
   int texcoords_are_floats;
   size_t texcoord_stride;
 } abflat_mesh;
 
 /* Receives the name of the stage and a rough share from 0 to 1. Called often, from the thread that
-   called abflat_unwrap or abflat_pack; 0 cancels. */
+   called abflat_unwrap, abflat_pack or abflat_verify; 0 cancels. */
 typedef int (*abflat_progress)(const char* stage, double share, void* user);
 
 ABFLAT_API const char* abflat_version(void);
@@ -49,7 +49,12 @@ ABFLAT_API void abflat_free_options(abflat_options* options);
    status; InvalidOption changes nothing. */
 ABFLAT_API int abflat_set_option(abflat_options* options, const char* name, const char* value);
 
-/* One sentence about the last call of abflat_set_option; empty if its status was 0. */
+/* The same for a rule of abflat_verify, which may have the name of an option: "padding", "8";
+   "maxStretch", "1.1"; "allowStacked", "true". */
+ABFLAT_API int abflat_set_rule(abflat_options* options, const char* name, const char* value);
+
+/* One sentence about the last call of abflat_set_option or abflat_set_rule; empty if its status
+   was 0. */
 ABFLAT_API const char* abflat_option_message(const abflat_options* options);
 
 /* Cuts a mesh into charts, flattens and packs them. `options` and `progress` may be NULL. Returns a
@@ -62,13 +67,18 @@ ABFLAT_API int abflat_unwrap(const abflat_mesh* mesh, const abflat_options* opti
 /* The same for packing the layout that the mesh has: its uv islands keep their shapes. */
 ABFLAT_API int abflat_pack(const abflat_mesh* mesh, const abflat_options* options,
                            abflat_progress progress, void* user, abflat_result** result);
+
+/* The same for saying what the layout that the mesh has does not keep to: the findings are in the
+   report. Of the arrays below it has abflat_charts and abflat_faults. */
+ABFLAT_API int abflat_verify(const abflat_mesh* mesh, const abflat_options* options,
+                             abflat_progress progress, void* user, abflat_result** result);
 ABFLAT_API void abflat_free_result(abflat_result* result);
 
 /* One sentence that names the place and what to do; empty if the status is 0. */
 ABFLAT_API const char* abflat_message(const abflat_result* result);
 
 /* Whether no triangle is flipped and nothing overlaps, by exact arithmetic; after abflat_pack,
-   whether no two islands overlap that lay apart. */
+   whether no two islands overlap that lay apart; after abflat_verify, whether nothing was found. */
 ABFLAT_API int abflat_is_valid(const abflat_result* result);
 
 /* JSON text; its keys are those of docs/report.md. */
@@ -85,6 +95,9 @@ ABFLAT_API const double* abflat_uv(const abflat_result* result,
 ABFLAT_API const uint32_t* abflat_triangles(const abflat_result* result, size_t* count);
 ABFLAT_API const uint32_t* abflat_charts(const abflat_result* result,
                                          size_t* count); /* or islands, of each triangle */
+/* What is wrong with each triangle in uv, after abflat_verify: a sum of 1 (overlaps), 2 (runs
+   clockwise), 4 (has no area) and 8 (is not within one tile). */
+ABFLAT_API const uint8_t* abflat_faults(const abflat_result* result, size_t* count);
 
 #ifdef __cplusplus
 }

@@ -13,6 +13,7 @@
 #include "abflat/option_text.h"
 #include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
+#include "abflat/verify.h"
 #include "abflat/version.h"
 #include "base/guarded.h"
 #include "mesh/input_mesh.h"
@@ -20,6 +21,7 @@
 struct abflat_options {
   abflat::UnwrapOptions unwrap;
   abflat::PackLayoutOptions pack;
+  abflat::VerifyOptions verify;
   std::string message;
 };
 
@@ -27,6 +29,7 @@ struct abflat_result {
   std::vector<std::uint32_t> vertices;           ///< of the input, per output vertex
   std::vector<double> uv;                        ///< 2 per output vertex
   std::vector<std::uint32_t> triangles, charts;  ///< 3 output vertices and 1 chart each
+  std::vector<std::uint8_t> faults;              ///< of each triangle, see UvFault
   bool isValid = false;
   std::string message, report;
 };
@@ -68,6 +71,11 @@ Status set(abflat_options& options, const std::string& name, const std::string& 
   const std::optional<Status> forUnwrap = setNamed(options.unwrap, name, text);
   const std::optional<Status> forPack = setNamed(options.pack, name, text);
   return forUnwrap ? *forUnwrap : forPack ? *forPack : unknown(name);
+}
+
+Status setRule(abflat_options& options, const std::string& name, const std::string& text) {
+  const std::optional<Status> done = setNamed(options.verify, name, text);
+  return done ? *done : Status{StatusCode::InvalidOption, "there is no rule " + name};
 }
 
 PointView pointsOf(const abflat_mesh& mesh) {
@@ -154,6 +162,19 @@ Status packInto(abflat_result& out, const abflat_mesh& mesh, const PackLayoutOpt
   return {};
 }
 
+/// Faces are triangles here.
+Status verifyInto(abflat_result& out, const abflat_mesh& mesh, const VerifyOptions& options) {
+  if (Status s = InputMesh(MeshView{pointsOf(mesh), trianglesOf(mesh)}).validate(); !s.ok())
+    return s;
+  Result<VerifyResult> result = verifyLayout(withTexcoords(mesh), options);
+  if (!result.ok()) return result.status();
+  out.charts = std::move(result.value().islandOfFace);
+  out.faults = std::move(result.value().faults);
+  out.isValid = result.value().report.valid;
+  out.report = verifyReportJson(result.value().report);
+  return {};
+}
+
 /// A call that fills a result, which `run` does with the options that it is given. Copying them
 /// takes memory, too.
 template <class Options, class Run>
@@ -202,6 +223,12 @@ int abflat_set_option(abflat_options* options, const char* name, const char* val
   return static_cast<int>(status.code);
 }
 
+int abflat_set_rule(abflat_options* options, const char* name, const char* value) {
+  Status status = abflat::guarded([&] { return abflat::setRule(*options, name, value); });
+  options->message = std::move(status.message);
+  return static_cast<int>(status.code);
+}
+
 const char* abflat_option_message(const abflat_options* options) {
   return options->message.c_str();
 }
@@ -216,6 +243,12 @@ int abflat_pack(const abflat_mesh* mesh, const abflat_options* options, abflat_p
                 void* user, abflat_result** result) {
   return abflat::call(*mesh, options != nullptr ? &options->pack : nullptr, progress, user, result,
                       abflat::packInto);
+}
+
+int abflat_verify(const abflat_mesh* mesh, const abflat_options* options, abflat_progress progress,
+                  void* user, abflat_result** result) {
+  return abflat::call(*mesh, options != nullptr ? &options->verify : nullptr, progress, user,
+                      result, abflat::verifyInto);
 }
 
 void abflat_free_result(abflat_result* result) { delete result; }
@@ -240,4 +273,8 @@ const std::uint32_t* abflat_triangles(const abflat_result* result, std::size_t* 
 
 const std::uint32_t* abflat_charts(const abflat_result* result, std::size_t* count) {
   return abflat::array(result->charts, 1, count);
+}
+
+const std::uint8_t* abflat_faults(const abflat_result* result, std::size_t* count) {
+  return abflat::array(result->faults, 1, count);
 }

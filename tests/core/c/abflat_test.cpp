@@ -8,6 +8,7 @@
 
 #include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
+#include "abflat/verify.h"
 #include "abflat/version.h"
 #include "catch.h"
 #include "support/meshes.h"
@@ -34,6 +35,7 @@ struct Outcome {
 };
 using Unwrapped = Outcome<abflat_unwrap>;
 using Packed = Outcome<abflat_pack>;
+using Verified = Outcome<abflat_verify>;
 
 abflat_mesh arraysOf(const PolygonMesh& mesh) {
   return {mesh.positions.data(),
@@ -232,4 +234,55 @@ TEST_CASE("C hears of progress and may cancel", "[c]") {
   const Unwrapped cancelled(arraysOf(mesh), nullptr, cancel);
   CHECK(std::string(abflat_status_name(cancelled.status)) == "Aborted");
   CHECK(std::string(abflat_version()) == ABFLAT_VERSION);
+}
+
+TEST_CASE("verifying gives what C++ gives, by rules of its own", "[c]") {
+  // Two triangles of which one covers a part of the other, and one without texcoords.
+  const PolygonMesh mesh = makeTriangleMesh(
+      {0, 0, 0, 1, 0, 0, 0, 1, 0, 4, 0, 0, 5, 0, 0, 4, 1, 0, 8, 0, 0}, {0, 1, 2, 3, 4, 5, 6, 4, 5});
+  const double nan = std::nan("");
+  std::vector<double> texcoords = {0, 0, 0.4, 0, 0, 0.4, 0.1, 0.1, 0.5, 0.1, 0.1, 0.5, nan, nan};
+  abflat_mesh arrays = arraysOf(mesh);
+  arrays.texcoords = texcoords.data();
+  const Verified found(arrays);
+  REQUIRE(found.status == 0);
+  CHECK(abflat_is_valid(found.result) == 0);
+  std::size_t islands = 0, triangles = 0, vertices = 1;
+  const std::uint32_t* const ofTriangle = abflat_charts(found.result, &islands);
+  CHECK(copied(ofTriangle, islands) == std::vector<std::uint32_t>{0, 1, kNoIsland});
+  const std::uint8_t* const faults = abflat_faults(found.result, &triangles);
+  CHECK(copied(faults, triangles) == std::vector<std::uint8_t>{1, 1, 0});
+  abflat_vertices(found.result, &vertices);
+  CHECK(vertices == 0);
+  const std::string report = abflat_report(found.result);
+  CHECK(report.find("overlapBetween") != std::string::npos);
+  CHECK(report.find("unmapped") != std::string::npos);
+
+  const Options rules;
+  REQUIRE(abflat_set_rule(rules.all, "allowOverlaps", "true") == 0);
+  REQUIRE(abflat_set_rule(rules.all, "--allow-unmapped", "true") == 0);
+  REQUIRE(abflat_set_rule(rules.all, "maxStretch", "none") == 0);
+  CHECK(abflat_is_valid(Verified(arrays, rules.all).result) == 1);
+  // An option of the same name is another.
+  REQUIRE(rules.set("padding", "99") == 0);
+  REQUIRE(rules.set("maxStretch", "1.2") == 0);
+  CHECK(abflat_is_valid(Verified(arrays, rules.all).result) == 1);
+  CHECK(abflat_set_rule(rules.all, "padding", "wide") ==
+        static_cast<int>(StatusCode::InvalidOption));
+  CHECK(std::string(abflat_option_message(rules.all)).find("padding cannot be") == 0);
+  CHECK(abflat_set_rule(rules.all, "rotate", "none") ==
+        static_cast<int>(StatusCode::InvalidOption));
+  CHECK(std::string(abflat_option_message(rules.all)) == "there is no rule rotate");
+}
+
+TEST_CASE("verifying a mesh without texcoords, and cancelling it, are errors", "[c]") {
+  const PolygonMesh mesh = uvSphere(6, 4);
+  const Verified bare(arraysOf(mesh));
+  CHECK(bare.status == static_cast<int>(StatusCode::NoTexcoords));
+  CHECK_FALSE(std::string(abflat_message(bare.result)).empty());
+  abflat_mesh arrays = arraysOf(mesh);
+  const std::vector<double> texcoords(2 * mesh.vertexCount(), 0.5);
+  arrays.texcoords = texcoords.data();
+  const Verified stopped(arrays, nullptr, [](const char*, double, void*) { return 0; });
+  CHECK(stopped.status == static_cast<int>(StatusCode::Aborted));
 }
