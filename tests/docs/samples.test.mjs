@@ -54,6 +54,7 @@ test('a sample that does not work is found', () => {
     sh: 'abflat unwrap missing.obj -o a.obj\ntrue\n',
     js: "import { unwrapp } from 'abflat';\n",
     python: 'import abflat\nabflat.unwrapp\n',
+    yaml: '      - run: npm ci\n      - run: abflat verify missing.obj\n',
     cpp: '#include "abflat/unwrap.h"\nint main() { return 1; }\n',
   };
   for (const [language, code] of Object.entries(broken))

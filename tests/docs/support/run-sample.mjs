@@ -33,6 +33,14 @@ function runJavaScript(code, folder, extension) {
   mustRun(process.execPath, [file], folder);
 }
 
+/** The commands of a workflow. What it would install is there. */
+function runWorkflow(code, folder) {
+  const commands = [...code.matchAll(/^ *- run: (.*)$/gm)].map(([, command]) => command);
+  const own = commands.filter((command) => command !== 'npm ci');
+  if (own.length === 0) throw new Error('the workflow has no commands');
+  runShell(own.join('\n'), folder);
+}
+
 function runPython(code, folder) {
   const file = join(folder, 'sample.py');
   writeFileSync(file, code);
@@ -59,6 +67,7 @@ const RUNNERS = {
   sh: runShell,
   js: (code, folder) => runJavaScript(code, folder, 'mjs'),
   ts: (code, folder) => runJavaScript(code, folder, 'mts'),
+  yaml: runWorkflow,
   python: runPython,
   cpp: runCpp,
 };
