@@ -1,6 +1,14 @@
 // The Python side of the schema: the options of each call, with their types.
 
-import { constantCase, fullText, kebabCase, ofPackage, optionSets, pascalCase, rangeText } from './schema.mjs';
+import {
+  constantCase,
+  fullText,
+  kebabCase,
+  ofPackage,
+  optionSets,
+  pascalCase,
+  rangeText,
+} from './schema.mjs';
 
 const HEADER = `# Generated from core/schema by scripts/generate.mjs, do not edit.
 """The options of each call."""

@@ -12,9 +12,9 @@ namespace abflat::cli {
 namespace {
 
 /// Options that name a file or a place: with many meshes, batch chooses these.
-constexpr std::array kChosenByBatch = {"--output",   "--report", "--layout", "--heat-map",
-                                       "--scale",    "--junit",  "--sarif",  "--write-seams",
-                                       "--moved-to", "--quiet",  "--help"};
+constexpr std::array kChosenByBatch = {"--output",      "--report",   "--layout", "--heat-map",
+                                       "--scale",       "--junit",    "--sarif",  "--picture",
+                                       "--write-seams", "--moved-to", "--quiet",  "--help"};
 
 bool isChosenByBatch(const std::string& flag) {
   return std::find(kChosenByBatch.begin(), kChosenByBatch.end(), flag) != kChosenByBatch.end();

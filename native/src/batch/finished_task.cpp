@@ -93,8 +93,7 @@ std::vector<fs::path> filesOf(const WorkPlace& place) {
   return out;
 }
 
-Status takeResults(const Task& task, const WorkPlace& place, const fs::path& out,
-                   ManifestLine& line) {
+Status takeMesh(const Task& task, const WorkPlace& place, const fs::path& out, ManifestLine& line) {
   const fs::path below = fs::path(task.output).parent_path();
   for (const fs::path& from : filesOf(place)) {
     const fs::path name = below / from.filename();
@@ -104,6 +103,13 @@ Status takeResults(const Task& task, const WorkPlace& place, const fs::path& out
     if (Status s = moveFile(from, out / name); !s.ok()) return s;
   }
   std::rotate(line.files.begin(), line.files.end() - 1, line.files.end());
+  return {};
+}
+
+Status takeResults(const Task& task, const WorkPlace& place, const fs::path& out,
+                   ManifestLine& line) {
+  if (!task.output.empty())
+    if (Status s = takeMesh(task, place, out, line); !s.ok()) return s;
   if (task.picture.empty()) return {};
   line.layout = task.picture;
   return moveFile(place.layout, out / line.layout);
@@ -135,7 +141,6 @@ ManifestLine finishedTask(const Task& task, const WorkPlace& place, const TaskEn
   const Result<std::string> report = readBytes(place.report);
   if (report.ok()) line.summary = reportSummary(report.value());
   if (line.message.empty()) line.message = firstFinding(line.summary);
-  if (task.output.empty()) return line;
   const Status taken = takeResults(task, place, out, line);
   if (taken.ok()) return line;
   line.status = MeshStatus::CannotWrite;

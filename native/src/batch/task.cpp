@@ -98,10 +98,15 @@ class TaskPlan {
     task.bytes = unknown ? 0 : bytes;
     const double faces = predictedFaces(input.path, task.bytes);
     task.memory = predictedMemory(faces, task.bytes);
-    if (command_.pictures && (command_.run == "unwrap" || command_.run == "pack"))
-      task.picture = "layouts/" + task.output + pictureEnding(faces);
+    if (command_.pictures) task.picture = pictureOf(input, task.output, faces);
     task.input = std::move(input);
     return task;
+  }
+
+  std::string pictureOf(const BatchInput& input, const std::string& output, double faces) const {
+    if (command_.run == "unwrap" || command_.run == "pack")
+      return "layouts/" + output + pictureEnding(faces);
+    return command_.run == "verify" ? "layouts/" + input.name + ".png" : "";
   }
 
   /// Stands for all that a result depends on besides its mesh; checks the options.

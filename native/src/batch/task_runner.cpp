@@ -90,7 +90,8 @@ std::vector<std::string> TaskRunner::wordsFor(const Task& task, const WorkPlace&
     out.push_back("--output=" + place.mesh);
     out.push_back("--moved-to=" + (std::filesystem::path(command_.out) / task.output).string());
   }
-  if (!task.picture.empty()) out.push_back("--layout=" + place.layout);
+  if (!task.picture.empty())
+    out.push_back((command_.run == "verify" ? "--picture=" : "--layout=") + place.layout);
   bool hasOwnThreads = !hasThreads_;
   for (const GivenOption& option : task.options) {
     hasOwnThreads = hasOwnThreads || option.flag == "--threads";

@@ -26,7 +26,7 @@ TEST_CASE("edges of an atlas: each once, seams twice as outlines") {
     const UnwrapResult r = unwrapped(mesh);
     const AtlasPolygons polygons = atlasPolygons(mesh, r);
     CHECK(polygons.count() == mesh.faceCount());
-    const AtlasEdges edges = atlasEdges(polygons, r);
+    const AtlasEdges edges = atlasEdges(polygons, r.cornerUv);
     CHECK(2 * edges.inner.size() + edges.outline.size() == mesh.faceVertices.size());
     std::size_t boundary = 0;
     for (const UnwrapChart& chart : r.report.charts) boundary += chart.boundaryVertices;

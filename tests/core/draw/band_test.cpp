@@ -19,7 +19,7 @@ std::vector<double> alphas(int bandRows, const Draw& draw) {
   for (int first = 0; first < kSide; first += bandRows) {
     Band band(kSide, first, std::min(bandRows, kSide - first));
     draw(band);
-    const std::vector<std::uint8_t> rgba = band.rgba(kBlack, 1, 1);
+    const std::vector<std::uint8_t> rgba = band.rgba({kBlack, 1, 1, kBlack});
     for (std::size_t i = 3; i < rgba.size(); i += 4) out.push_back(rgba[i] / 255.0);
   }
   return out;

@@ -260,7 +260,7 @@ export type VerifyStage = 'read' | 'check';
 export type CompareStage = 'read';
 
 /** What verify asks of a layout. */
-export type VerifyRule = 'flipped' | 'empty' | 'overlap' | 'overlapBetween' | 'stacked' | 'outside' | 'padding' | 'margin' | 'thin' | 'density' | 'densityRatio' | 'stretch' | 'utilization' | 'islands' | 'unmapped';
+export type VerifyRule = 'flipped' | 'empty' | 'overlap' | 'overlapBetween' | 'stacked' | 'outside' | 'padding' | 'margin' | 'thin' | 'density' | 'densityRatio' | 'stretch' | 'utilization' | 'islands' | 'unmapped' | 'geometry' | 'order' | 'attributes';
 
 /** A method of compare. */
 export type MethodKey = 'abflatAuto' | 'abflatConvex' | 'abflatFree' | 'abflatBalanced' | 'symmetricDirichlet' | 'mips' | 'tutte' | 'meanValue' | 'harmonic' | 'lscm';

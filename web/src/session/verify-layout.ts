@@ -1,4 +1,4 @@
-import type { Abflat, MeshInput, VerifyOptions, VerifyReport } from 'abflat';
+import type { Abflat, MeshInput, VerifyOptions, VerifyReport, VerifyRule } from 'abflat';
 import { copied } from '../base/buffers';
 import { cornerUv } from '../model/arrangeable';
 import type { Flattened, Outcome } from '../model/model';
@@ -16,6 +16,9 @@ export interface Verified {
 /** A face without texcoords has none, and neither has one without area that touches no other. */
 const NONE = 2 ** 32 - 1;
 const isIsland = (island: number | undefined) => island !== undefined && island < NONE;
+
+/** Rules whose findings are about whole islands; the faces only tell which. */
+const OF_ISLANDS: ReadonlySet<VerifyRule> = new Set(['margin', 'thin', 'stretch']);
 
 type Watch = Pick<VerifyOptions, 'signal' | 'onProgress'>;
 
@@ -41,7 +44,7 @@ export async function verifyLayout(
   const islandOn = islandsOnPage(outcome, faces, islandOfFace);
   const marks = report.findings.map((found) => ({
     islands: [...new Set(found.islands.map((island) => islandOn[island]))].filter(isIsland),
-    triangles: found.faces.flatMap((face) => trianglesOf(face)),
+    triangles: OF_ISLANDS.has(found.rule) ? [] : found.faces.flatMap(trianglesOf),
   }));
   return { report, marks };
 }
