@@ -67,7 +67,6 @@ class InputFinder {
     }
     if (!isPattern(path)) return {StatusCode::UnreadableFile, "there is no file " + path};
     const std::vector<std::string> files = filesLike(path);
-    found_.reserve(found_.size() + files.size());
     for (const std::string& file : files)
       if (!isBelow(out_, realPath(file))) found_.push_back({file, nameBelow(file), {}, false});
     if (files.empty()) return {StatusCode::UnreadableFile, "no file is like " + path};
@@ -117,6 +116,7 @@ class InputFinder {
       if (input.name < old->second.name) old->second = input;
     }
     std::vector<BatchInput> out;
+    out.reserve(files.size());
     for (auto& [path, input] : files) out.push_back(std::move(input));
     std::sort(out.begin(), out.end(),
               [](const BatchInput& a, const BatchInput& b) { return a.name < b.name; });

@@ -81,26 +81,36 @@ class TaskPlan {
       task.output = fs::path(input.name).replace_extension(ending).generic_string();
     task.options = withoutOff(mergedOptions(command_.options, input.options));
     const Result<std::string> hash = optionsHash(endingOf(input.name), ending, task.options);
-    if (!hash.ok())
-      return input.options.empty()
-                 ? hash.status()
-                 : Status{hash.status().code, input.path + ": " + hash.status().message};
+    if (!hash.ok()) return placed(input, hash.status());
     task.optionsHash = hash.value();
+    if (Status s = takePlace(task, input); !s.ok()) return s;
+    measure(task, input);
+    task.input = std::move(input);
+    return task;
+  }
+
+  /// Names the mesh if it has options of its own.
+  static Status placed(const BatchInput& input, const Status& status) {
+    if (input.options.empty()) return status;
+    return {status.code, input.path + ": " + status.message};
+  }
+
+  Status takePlace(const Task& task, const BatchInput& input) {
     const std::string& place = task.output.empty() ? input.name : task.output;
     const auto [other, isFree] = places_.try_emplace(place, input.path);
-    if (!isFree)
-      return Status{StatusCode::InvalidOption, other->second + " and " + input.path +
-                                                   " would both be " +
-                                                   (fs::path(command_.out) / place).string() +
-                                                   ". Rename one, or give them different folders"};
+    if (isFree) return {};
+    return {StatusCode::InvalidOption, other->second + " and " + input.path + " would both be " +
+                                           (fs::path(command_.out) / place).string() +
+                                           ". Rename one, or give them different folders"};
+  }
+
+  void measure(Task& task, const BatchInput& input) const {
     std::error_code unknown;  // then it cannot be read
     const std::uintmax_t bytes = fs::file_size(input.path, unknown);
     task.bytes = unknown ? 0 : bytes;
     const double faces = predictedFaces(input.path, task.bytes);
     task.memory = predictedMemory(faces, task.bytes);
     if (command_.pictures) task.picture = pictureOf(input, task.output, faces);
-    task.input = std::move(input);
-    return task;
   }
 
   std::string pictureOf(const BatchInput& input, const std::string& output, double faces) const {
@@ -109,20 +119,29 @@ class TaskPlan {
     return command_.run == "verify" ? "layouts/" + input.name + ".png" : "";
   }
 
-  /// Stands for all that a result depends on besides its mesh; checks the options.
+  /// Stands for all that a result depends on besides its mesh; checks the options. `from` and `to`
+  /// are the endings of the mesh and of its result.
   Result<std::string> optionsHash(const std::string& from, const std::string& to,
                                   const std::vector<GivenOption>& options) {
     std::vector<std::string> words = {command_.run, "mesh" + from};
     if (command_.run != "verify") words.insert(words.end(), {"--output", "result" + to});
     std::string key = command_.run + "\n" + to + "\n";
+    std::string all = from;
     for (const GivenOption& option : options) {
       words.push_back(option.value ? option.flag + "=" + *option.value : option.flag);
       // Results do not depend on it.
       if (option.flag != "--threads") key += words.back() + "\n";
+      all += "\n" + words.back();
     }
-    std::string checked = key + from;
-    for (const std::string& word : words) checked += "\n" + word;
-    if (const auto known = hashes_.find(checked); known != hashes_.end()) return known->second;
+    all += "\n" + to;
+    if (const auto known = hashes_.find(all); known != hashes_.end()) return known->second;
+    Result<std::string> hash = hashOf(key, words);
+    if (hash.ok()) hashes_.emplace(std::move(all), hash.value());
+    return hash;
+  }
+
+  /// Of a text, and of files that the command of these words reads.
+  static Result<std::string> hashOf(const std::string& key, const std::vector<std::string>& words) {
     const Result<Command> parsed = parseWords(words);
     if (!parsed.ok()) return parsed.status();
     Digest digest;
@@ -135,7 +154,7 @@ class TaskPlan {
       if (!content.ok()) return content.status();
       digest.add(content.value().text());
     }
-    return hashes_.emplace(std::move(checked), digest.text()).first->second;
+    return digest.text();
   }
 
   const BatchCommand& command_;
