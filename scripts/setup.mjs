@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // Installs what is missing: system packages on Debian and Ubuntu, npm packages everywhere.
-// Usage: setup.mjs [page] [build] [test] [lint] [coverage] [fuzz] [platforms] [python]
+// Usage: setup.mjs [page] [build] [test] [lint] [coverage] [fuzz] [platforms] [python] [cluster]
 // (default: build test lint)
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -12,7 +12,17 @@ import { Failure, mustRun, runMain, which } from './lib/run.mjs';
 import { filesBelow, fingerprint } from './lib/stamp.mjs';
 
 const LEAST_NODE = 20;
-const PURPOSES = ['page', 'build', 'test', 'lint', 'coverage', 'fuzz', 'platforms', 'python'];
+const PURPOSES = [
+  'page',
+  'build',
+  'test',
+  'lint',
+  'coverage',
+  'fuzz',
+  'platforms',
+  'python',
+  'cluster',
+];
 /** What to check for if nothing is named: the others are rarely needed. */
 const USUAL = ['build', 'test', 'lint'];
 

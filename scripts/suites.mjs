@@ -27,6 +27,7 @@ const WITHOUT = {
 };
 const EMULATED = { ...WITHOUT, purposes: [...WITHOUT.purposes, 'platforms'] };
 const PYTHON = { ...WITHOUT, purposes: [...WITHOUT.purposes, 'python'] };
+const CLUSTER = { ...PYTHON, purposes: [...PYTHON.purposes, 'cluster'] };
 const SANITIZED = {
   title: (what) => `${what}, sanitizers`,
   purposes: ['build', 'test', 'fuzz'],
@@ -148,8 +149,15 @@ export const SUITES = [
   node('scripts', [], { kind: PYTHON }),
 ];
 
+/** Starts schedulers, for which it installs packages. */
+const CLUSTERS = node('cluster', [program, buildWasm, buildPython], {
+  what: 'recipes for schedulers',
+  kind: CLUSTER,
+});
+
 /** What only `npm run test:long` runs in addition, with the long tests of both. */
 export const LONG_SUITES = [
+  CLUSTERS,
   node('bundlers', [buildWasm]),
   node('scaling', [countingProgram], { what: 'steps' }),
   node('platforms', [program, otherPlatforms], { what: 'ARM, Windows', kind: EMULATED }),
@@ -195,5 +203,5 @@ export const GROUPS = {
   sanitize: SANITIZED_SUITES,
   long: [...SUITES, ...LONG_SUITES, LINT],
   lint: [LINT],
-  ci: [...SANITIZED_SUITES, ...SUITES, LINT],
+  ci: [...SANITIZED_SUITES, ...SUITES, CLUSTERS, LINT],
 };

@@ -37,6 +37,7 @@ const SIDEBAR = [
       'docs/packing.md',
       'docs/verify.md',
       'docs/batch.md',
+      'docs/clusters.md',
       'docs/baking.md',
       'docs/formats.md',
       'docs/report.md',

@@ -86,6 +86,9 @@ function emccWorks() {
   );
 }
 
+/** Daemons are not on the path of all users. */
+const inSystem = (name) => which(name) ?? existsSync(join('/usr/sbin', name));
+
 /**
  * `purpose`: what it is needed for; a full build also needs what the page needs. `apt`, `dnf`,
  * `pacman`, `brew`: its package names there; a manager without an entry does not have it, and
@@ -334,6 +337,30 @@ export const REQUIREMENTS = [
     dnf: ['pybind11-devel'],
     pacman: ['pybind11'],
     brew: ['pybind11'],
+  },
+  {
+    name: 'GNU parallel',
+    purpose: 'cluster',
+    why: 'runs its recipe in the tests',
+    present: () => which('parallel'),
+    apt: ['parallel'],
+    isOptional: true,
+  },
+  {
+    name: 'Slurm, munge',
+    purpose: 'cluster',
+    why: 'run their recipe in the tests',
+    present: () => ['sbatch', 'slurmctld', 'slurmd', 'munged'].every(inSystem),
+    apt: ['slurmctld', 'slurmd', 'slurm-client', 'munge'],
+    isOptional: true,
+  },
+  {
+    name: 'Redis',
+    purpose: 'cluster',
+    why: 'holds the queue of BullMQ in the tests',
+    present: () => which('redis-server'),
+    apt: ['redis-server'],
+    isOptional: true,
   },
   {
     name: 'C++ compiler for ARM, qemu',
