@@ -20,6 +20,9 @@ const RULES: Record<VerifyRule, { name: string; help: string }> = {
   utilization: { name: 'Space', help: 'Pack the layout again' },
   islands: { name: 'Many islands', help: 'Join islands' },
   unmapped: { name: 'No UVs', help: 'Unwrap the mesh' },
+  geometry: { name: 'Other faces', help: 'Unwrap without changing faces' },
+  order: { name: 'Other order', help: 'Unwrap without changing the order' },
+  attributes: { name: 'Other data', help: 'Unwrap without changing normals and materials' },
 };
 
 /** What a finding is about: faces that are listed, islands by their numbers on the page. */
@@ -55,6 +58,9 @@ function detail({ rule, faces, value, limit }: Found, islands: readonly number[]
         ? `${facesText(faces)} of ${islandsText(islands).replace(/^I/, 'i')}`
         : facesText(faces);
     case 'unmapped':
+    case 'geometry':
+    case 'order':
+    case 'attributes':
       return facesText(faces);
     case 'padding':
     case 'margin':
