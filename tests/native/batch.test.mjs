@@ -173,7 +173,8 @@ test('verify writes no meshes, and the manifest says what it has found', async (
   assert.equal(good.code, 0, good.stdout + good.stderr);
   const bad = await batch('uv', '--run', 'verify', '--out', 'bad', '--rules', 'rules.json');
   assert.equal(bad.code, 1);
-  assert.deepEqual(filesBelow(at('bad')), ['manifest.jsonl', 'report.html']);
+  const files = ['layouts/a.obj.png', 'manifest.jsonl', 'report.html'];
+  assert.deepEqual(filesBelow(at('bad')), files);
   const [{ status, summary }] = manifestOf(at('bad'));
   assert.equal(status, 'notValid');
   assert.ok(summary.findings.every(({ message }) => message.length > 10));

@@ -519,8 +519,6 @@ export interface VerifyTimings {
 
 /** The report of verify. */
 export interface VerifyReport {
-  /** The mesh that it is compared with, empty if there is none. */
-  against: string;
   /** Version of abflat. */
   version: string;
   /** The input. */
