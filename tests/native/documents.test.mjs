@@ -19,7 +19,7 @@ const SHOWN_IN = ['README.md'];
 const OF_THE_PROGRAM = DOCUMENTS.filter((file) => file !== 'CONTRIBUTING.md');
 
 /** Calls of these programs have options of their own. */
-const OF_OTHERS = /\b(cmake|pip|pkg-config|vcpkg|bff-command-line) [^`\n]*/g;
+const OF_OTHERS = /\b(cmake|pip|pkg-config|vcpkg|bff-command-line|kubectl|podman) [^`\n]*/g;
 
 /** A table of docs/migrating.md has options of another program in its first column. */
 const FIRST_COLUMN = /^\| [^|]*\|/gm;

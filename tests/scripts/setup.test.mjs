@@ -107,6 +107,6 @@ test('an unknown purpose is refused', () => {
   assert.equal(status, 1);
   assert.match(
     stderr,
-    /Unknown purpose "party"; known are: page, build, test, lint, coverage, fuzz, platforms, python\./,
+    /Unknown purpose "party"; known are: page, build, test, lint, coverage, fuzz, platforms, python, cluster\./,
   );
 });

@@ -6,7 +6,7 @@ namespace abflat {
 
 /// What the command line program returns.
 enum class ExitCode : int {
-  Valid = 0,  ///< a valid result was written; of verify: nothing was found; of batch: that of every mesh
+  Valid = 0,  ///< a valid result was written; of verify: nothing was found; of batch: one for every mesh
   NotValid = 1,  ///< a result was written, but it is not valid or the solver did not converge; the report says why; of verify: something was found; of batch: a mesh has no valid result; the manifest says why
   Usage = 2,  ///< the command line is wrong
   Unreadable = 3,  ///< the input cannot be read; the message says where and why
@@ -171,7 +171,7 @@ inline int exitCodeOf(StatusCode code) {
 inline const char* exitCodeText(ExitCode code) {
   switch (code) {
     case ExitCode::Valid:
-      return "a valid result was written; of verify: nothing was found; of batch: that of every mesh";
+      return "a valid result was written; of verify: nothing was found; of batch: one for every mesh";
     case ExitCode::NotValid:
       return "a result was written, but it is not valid or the solver did not converge; the report says why; of verify: something was found; of batch: a mesh has no valid result; the manifest says why";
     case ExitCode::Usage:
