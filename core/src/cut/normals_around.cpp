@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "cut/mesh_parts.h"
 #include "mesh/vec3_sum.h"
 
 namespace abflat {
