@@ -521,6 +521,8 @@ export interface VerifyTimings {
 export interface VerifyReport {
   /** Version of abflat. */
   version: string;
+  /** The mesh that the program compares it with, empty if there is none. */
+  against: string;
   /** The input. */
   input: InputSummary;
   /** The options as asked. */

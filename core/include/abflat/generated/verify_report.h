@@ -62,7 +62,7 @@ void visitFields(const VerifyTimings& r, Visitor& v) {
 struct VerifyReport {
   /// Name of the input.
   std::string path;
-  /// The mesh that it is compared with, empty if there is none.
+  /// The mesh that the program compares it with, empty if there is none.
   std::string against;
   /// The input.
   MeshSummary input;
