@@ -9,7 +9,7 @@ const CELLS = 3;
 function island(random, column, row) {
   const [across, up] = [1 + random.below(5), 1 + random.below(5)];
   const turn = random.between(0, 2 * Math.PI);
-  const size = random.between(0.3, 0.6) / CELLS;
+  const size = random.between(0.3, 0.5) / CELLS;
   const jitter = () => random.between(-0.2, 0.2);
   const points = [];
   for (let j = 0; j <= up; j++)
