@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "chart/ids.h"
+#include "mesh/ids.h"
 
 namespace abflat {
 
