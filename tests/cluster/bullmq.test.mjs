@@ -4,25 +4,16 @@
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { readdirSync } from 'node:fs';
-import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { Queue, QueueEvents } from 'bullmq';
 import Redis from 'ioredis';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
-import { RECIPES, until, writeMeshes } from './support/batches.mjs';
+import { freePort, RECIPES, until, writeMeshes } from './support/batches.mjs';
 
 const isThere = spawnSync('redis-server', ['--version']).status === 0;
 const skip = isThere ? false : 'there is no redis-server';
-
-const freePort = () =>
-  new Promise((resolve) => {
-    const server = createServer().listen(0, '127.0.0.1', () => {
-      const { port } = server.address();
-      server.close(() => resolve(port));
-    });
-  });
 
 async function startRedis(folder) {
   const port = await freePort();

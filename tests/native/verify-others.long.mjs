@@ -9,10 +9,11 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import * as watlas from 'watlas';
 import { ROOT } from '../../scripts/lib/paths.mjs';
-import { judge, readAtlas, turn } from '../support/exact-atlas.mjs';
+import { readAtlas } from '../support/exact-atlas.mjs';
 import { ordinaryShapes } from '../support/ordinary-shapes.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
+import { expectedFaces } from '../support/verify-agreement.mjs';
 
 const SCRIPT = fileURLToPath(new URL('../support/smart-uv.py', import.meta.url));
 const skip = spawnSync('blender', ['--version']).status === 0 ? false : 'there is no Blender';
@@ -33,19 +34,6 @@ function meshes() {
         out.push([file.slice(0, -4), readFileSync(join(folder, file), 'utf8')]);
   // xatlas takes minutes for larger ones.
   return out.filter(([, text]) => text.match(/^f /gm).length < 15000);
-}
-
-/** What is wrong with triangles that overlap or not, whichever way round they run. */
-function expectedOf(triangles) {
-  const { flipped, flat, outside } = judge(triangles);
-  const wound = triangles.map((t) => (turn(...t) < 0 ? [t[0], t[2], t[1]] : t));
-  const { overlaps } = judge(wound, { most: Number.POSITIVE_INFINITY });
-  return {
-    overlapping: new Set(overlaps.flat()).size,
-    flipped: flipped.length,
-    empty: flat.length,
-    outside: outside.length,
-  };
 }
 
 async function verified(at, file) {
@@ -102,7 +90,7 @@ test('layouts of xatlas', async (t) => {
     const report = await verified(at, 'out.obj');
     assert.deepEqual(
       report.faces,
-      expectedOf(faces.map((_, f) => [0, 1, 2].map((k) => uvOf(f, k)))),
+      expectedFaces(faces.map((_, f) => [0, 1, 2].map((k) => uvOf(f, k)))),
       name,
     );
     overlapping += report.faces.overlapping > 0;
@@ -126,7 +114,7 @@ test("layouts of Blender's Smart UV Project", { skip }, async (t) => {
     const { faces } = readAtlas(at(`${name}-uv.obj`));
     const report = await verified(at, `${name}-uv.obj`);
     const triangles = faces.map((face) => face.map(({ uv }) => uv));
-    assert.deepEqual(report.faces, expectedOf(triangles), name);
+    assert.deepEqual(report.faces, expectedFaces(triangles), name);
     if (report.faces.overlapping > 0) crossing.push(name);
   }
   t.diagnostic(`${crossing.length} of ${names.length} overlap: ${crossing.join(', ')}`);

@@ -10,26 +10,26 @@ import { judge as judgeShared, withoutShared } from './shared.mjs';
 /** Damages that now and then do none. */
 const MAY_BE_VALID = ['touching', 'pulled'];
 
-/** What is wrong with a layout, by exact integers. */
-function expectedOf({ texcoords, faces }) {
-  const triangles = faces.map((face) => face.map((t) => texcoords[t]));
+/** The counts of `faces` in a report that triangles [[u, v], [u, v], [u, v]] should have, by exact integers. */
+export function expectedFaces(triangles) {
   const { flipped, flat, outside } = judgeExactly(triangles);
   const wound = triangles.map((t) => (turn(...t) < 0 ? [t[0], t[2], t[1]] : t));
   const { overlaps } = judgeExactly(wound, { most: Number.POSITIVE_INFINITY });
-  const overlapping = new Set(overlaps.flat());
   return {
-    overlapping: overlapping.size,
+    overlapping: new Set(overlaps.flat()).size,
     flipped: flipped.length,
     empty: flat.length,
     outside: outside.length,
   };
 }
 
-/** Verifies layouts of the seeds, `at` a time in a folder; `damage` as of randomLayout. */
+/** Verifies the layout of each seed, in the folder of `at`; `damage` as of randomLayout. */
 export async function agree(at, seeds, damage) {
   for (const seed of seeds) {
     const layout = randomLayout(seed, damage);
-    const expected = expectedOf(layout);
+    const expected = expectedFaces(
+      layout.faces.map((face) => face.map((t) => layout.texcoords[t])),
+    );
     writeFileSync(at('in.obj'), layoutText(layout));
     const { code, stderr } = await runAbflat(['verify', 'in.obj', '-q', '--report', 'r.json'], {
       cwd: at(),

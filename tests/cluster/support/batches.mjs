@@ -2,6 +2,7 @@
 
 import { spawn } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { ROOT } from '../../../scripts/lib/paths.mjs';
 import { ordinaryShapes } from '../../support/ordinary-shapes.mjs';
@@ -65,6 +66,15 @@ export async function plainRun(meshes, out) {
   if (code !== 1) throw new Error(`a broken mesh should give exit code 1: ${code} ${stderr}`);
   return { lines: manifestOf(out), files: filesOf(out) };
 }
+
+/** A port on loopback that nothing uses. */
+export const freePort = () =>
+  new Promise((resolve) => {
+    const server = createServer().listen(0, '127.0.0.1', () => {
+      const { port } = server.address();
+      server.close(() => resolve(port));
+    });
+  });
 
 export async function until(isTrue, what, seconds = 240) {
   const end = Date.now() + 1000 * seconds;

@@ -11,10 +11,9 @@ import {
   rmSync,
   writeFileSync,
 } from 'node:fs';
-import { createServer } from 'node:net';
 import { cpus, hostname, tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { run, until } from './batches.mjs';
+import { freePort, run, until } from './batches.mjs';
 
 const TOOLS = ['slurmctld', 'slurmd', 'munged', 'sbatch', 'scontrol'];
 const SEARCH = { ...process.env, PATH: `${process.env.PATH}:/usr/sbin:/sbin` };
@@ -27,14 +26,6 @@ export const withoutSlurm =
     : process.getuid?.() === 0
       ? false
       : 'Slurm is only started by root';
-
-const freePort = () =>
-  new Promise((resolve) => {
-    const server = createServer().listen(0, '127.0.0.1', () => {
-      const { port } = server.address();
-      server.close(() => resolve(port));
-    });
-  });
 
 const configOf = ({ folder, controlPort, nodePort }) => `
 ClusterName=test
