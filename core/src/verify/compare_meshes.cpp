@@ -15,17 +15,10 @@ namespace {
 constexpr double kSamePlace = 1e-6;
 
 double samePlace(const PolygonMesh& mesh) {
-  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    low[i % 3] = std::min(low[i % 3], mesh.positions[i]);
-    high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
-  }
-  if (mesh.positions.empty()) return 0;
-  const double size = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
   // Far from the origin, single precision is coarser.
   double most = 0;
-  for (std::size_t k = 0; k < 3; ++k) most = std::max({most, std::abs(low[k]), std::abs(high[k])});
-  return std::max(kSamePlace * size, std::ldexp(most, -23));
+  for (const double x : mesh.positions) most = std::max(most, std::abs(x));
+  return std::max(kSamePlace * diagonalOf(mesh.positions), std::ldexp(most, -23));
 }
 
 class Comparison {

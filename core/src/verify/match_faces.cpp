@@ -1,7 +1,6 @@
 #include "verify/match_faces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -45,15 +44,7 @@ struct SharedPlaces {
 SharedPlaces sharedPlaces(const PolygonMesh& was, const PolygonMesh& now, double tolerance) {
   std::vector<double> all = was.positions;
   all.insert(all.end(), now.positions.begin(), now.positions.end());
-  double diagonal = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (std::size_t i = k; i < all.size(); i += 3) {
-      low = std::min(low, all[i]);
-      high = std::max(high, all[i]);
-    }
-    diagonal = std::hypot(diagonal, high - low);
-  }
+  const double diagonal = diagonalOf(all);
   const std::vector<std::uint32_t> place =
       weldVertices(all, diagonal > 0 ? tolerance / diagonal : 0).ofVertex;
   SharedPlaces out;
@@ -153,6 +144,19 @@ class FaceMatcher {
 };
 
 }  // namespace
+
+double diagonalOf(const std::vector<double>& positions) {
+  double out = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (std::size_t i = k; i < positions.size(); i += 3) {
+      low = std::min(low, positions[i]);
+      high = std::max(high, positions[i]);
+    }
+    if (low <= high) out = std::hypot(out, high - low);
+  }
+  return out;
+}
 
 FaceMatch matchFaces(const PolygonMesh& was, const PolygonMesh& now, double tolerance) {
   if (std::optional<FaceMatch> same = matchInOrder(was, now, tolerance)) return std::move(*same);

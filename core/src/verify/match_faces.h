@@ -17,6 +17,9 @@ struct FaceMatch {
   std::vector<std::uint32_t> missing;  ///< faces of the other mesh, or parts of them, ascending
 };
 
+/// Of the bounding box; 0 without positions.
+double diagonalOf(const std::vector<double>& positions);
+
 /// Finds the faces of `now` in `was`, where places are the same up to `tolerance`.
 FaceMatch matchFaces(const PolygonMesh& was, const PolygonMesh& now, double tolerance);
 
