@@ -20,6 +20,7 @@ struct Runner {
   int operator()(const FlattenCommand& command) const { return runFlatten(command); }
   int operator()(const PackCommand& command) const { return runPack(command); }
   int operator()(const BakeCommand& command) const { return runBake(command); }
+  int operator()(const AtlasCommand& command) const { return runAtlas(command); }
   int operator()(const VerifyCommand& command) const { return runVerify(command); }
   int operator()(const BatchCommand& command) const { return runBatch(command); }
   int operator()(const InspectCommand& command) const { return runInspect(command); }

@@ -255,24 +255,36 @@ export function isThinInSpace(corners) {
   return crossLength(u, v) < 1e-12;
 }
 
-/**
- * Judges the contents of a file, see judge. Polygons are cut along diagonals that lie inside them
- * in uv; those that cannot be cut, because their outline is not simple or runs clockwise, are
- * listed in `uncut`.
- */
-export function judgeFile(path, { tiles = [1, 1], most } = {}) {
-  const { faces, lowestRow } = readAtlas(path);
-  const [triangles, corners, uncut] = [[], [], []];
+/** Triangles of faces as [{ uv, ... }, ...], and the faces that cannot be cut into such. */
+export function cutFaces(faces) {
+  const [triangles, uncut] = [[], []];
   for (const [f, face] of faces.entries()) {
     const points = face.map(({ uv }) => uv);
     const cut = face.length === 3 ? { triangles: [[0, 1, 2]], isCut: true } : cutPolygon(points);
     if (!cut.isCut && !isThinInSpace(face)) uncut.push(f);
-    for (const triangle of cut.triangles) {
-      triangles.push(triangle.map((k) => points[k]));
-      corners.push(triangle.map((k) => face[k]));
-    }
+    for (const triangle of cut.triangles) triangles.push(triangle.map((k) => face[k]));
   }
-  const mayBeFlat = (i) => isThinInSpace(corners[i]);
-  const out = judge(triangles, { mayBeFlat, tiles, lowestRow, most });
+  return { triangles, uncut };
+}
+
+/** With v from 0 up; what is written to a glTF loses nothing by that. */
+const fromZero = ({ faces, lowestRow }) =>
+  faces.map((face) => face.map((c) => ({ ...c, uv: [c.uv[0], c.uv[1] - lowestRow] })));
+
+/**
+ * Judges the contents of files that share an atlas, see judge. Polygons are cut along diagonals
+ * that lie inside them in uv; those that cannot be cut, because their outline is not simple or runs
+ * clockwise, are listed in `uncut`.
+ */
+export function judgeFiles(paths, { tiles = [1, 1], most } = {}) {
+  const atlases = paths.map(readAtlas);
+  const isShared = atlases.length > 1;
+  const { triangles, uncut } = cutFaces(isShared ? atlases.flatMap(fromZero) : atlases[0].faces);
+  const mayBeFlat = (i) => isThinInSpace(triangles[i]);
+  const points = triangles.map((corners) => corners.map(({ uv }) => uv));
+  const lowestRow = isShared ? 0 : atlases[0].lowestRow;
+  const out = judge(points, { mayBeFlat, tiles, lowestRow, most });
   return { ...out, uncut, isValid: out.isValid && uncut.length === 0 };
 }
+
+export const judgeFile = (path, options) => judgeFiles([path], options);

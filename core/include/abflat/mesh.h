@@ -31,8 +31,9 @@ struct PolygonMesh {
   std::vector<std::string> materialNames;    ///< by these numbers; empty if it has no name
   std::vector<double> normals;               ///< xyz per shading normal, of any length
   std::vector<std::uint32_t> faceNormals;    ///< normal of each face corner, or kNoNormal
-  std::vector<std::uint32_t> faceSmoothing;  ///< smoothing group per face, 0 = off; if no normals
-  bool isZUp = false;                        ///< z points up in such files, not y
+  /// Smoothing group per face, 0 = off. Counts for edges where no corner has a normal.
+  std::vector<std::uint32_t> faceSmoothing;
+  bool isZUp = false;  ///< z points up in such files, not y
   /// Per vertex, the number of the object that it belongs to. Those of different objects are apart,
   /// even at one place. Empty: there is one object.
   std::vector<std::uint32_t> vertexObjects;

@@ -32,6 +32,10 @@ class Normals {
     return differAt(h, nextCorner(twin)) || differAt(nextCorner(h), twin);
   }
 
+  bool hasAny(SurfaceCorner h, SurfaceCorner twin) const {
+    return isGiven(h) || isGiven(nextCorner(h)) || isGiven(twin) || isGiven(nextCorner(twin));
+  }
+
  private:
   Vec3 given(std::uint32_t i) const {
     return {normals_[3 * std::size_t{i}], normals_[3 * std::size_t{i} + 1],
@@ -43,6 +47,8 @@ class Normals {
     const std::uint32_t i = map_.input().extras().faceNormals[map_.corner(c)];
     return i == kNoNormal || given(i) == Vec3{} ? kNoNormal : i;
   }
+
+  bool isGiven(SurfaceCorner c) const { return numberOf(c) != kNoNormal; }
 
   bool differAt(SurfaceCorner a, SurfaceCorner b) const {
     const std::uint32_t i = numberOf(a), j = numberOf(b);
@@ -67,15 +73,17 @@ bool areHardByGroups(const SurfaceMap& map, SurfaceTriangle f, SurfaceTriangle g
 
 Seams hardEdges(const SurfaceMap& map) {
   const bool hasNormals = !map.input().extras().faceNormals.empty();
-  if (!hasNormals && map.input().extras().faceSmoothing.empty()) return {};
+  const bool hasGroups = !map.input().extras().faceSmoothing.empty();
+  if (!hasNormals && !hasGroups) return {};
   const Surface& surface = map.surface();
   const Normals normals(map);
   Seams out(surface.table.vertex.size(), 0);
   for (const SurfaceCorner h : surface.table.corners()) {
     const SurfaceCorner twin = surface.table.twin[h];
     if (!twin.exists() || twin < h || surface.triangulation.isDiagonal[h]) continue;
-    out[h] = out[twin] = hasNormals ? normals.areHard(h, twin)
-                                    : areHardByGroups(map, triangleOf(h), triangleOf(twin));
+    const bool isByNormals = hasNormals && (!hasGroups || normals.hasAny(h, twin));
+    out[h] = out[twin] = isByNormals ? normals.areHard(h, twin)
+                                     : areHardByGroups(map, triangleOf(h), triangleOf(twin));
   }
   return out;
 }

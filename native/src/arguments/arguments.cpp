@@ -68,6 +68,7 @@ class Parser {
     setUsage(app_, "abflat COMMAND ...");
     app_.footer(kFooter + exitCodeHelp());
     unwrapApp_ = addUnwrap(app_, unwrap_);
+    atlasApp_ = addAtlas(app_, atlas_);
     flattenApp_ = addFlatten(app_, flatten_);
     packApp_ = addPack(app_, pack_);
     bakeApp_ = addBake(app_, bake_);
@@ -87,6 +88,7 @@ class Parser {
     app_.parse(argc, argv);
     if (verifyApp_->parsed()) noteGiven(*verifyApp_, verify_);
     if (unwrapApp_->parsed()) return checked(unwrap_);
+    if (atlasApp_->parsed()) return checked(atlas_);
     if (flattenApp_->parsed()) return checked(flatten_);
     if (packApp_->parsed()) return checked(pack_);
     if (bakeApp_->parsed()) return checked(bake_);
@@ -110,6 +112,7 @@ class Parser {
   CLI::App app_{"Unwraps 3D meshes: cuts them into charts and flattens these by their angles.",
                 "abflat"};
   UnwrapCommand unwrap_;
+  AtlasCommand atlas_;
   FlattenCommand flatten_;
   PackCommand pack_;
   BakeCommand bake_;
@@ -120,8 +123,8 @@ class Parser {
   SweepCommand sweep_;
   CompareCommand compare_;
   ReproduceCommand reproduce_;
-  const CLI::App *unwrapApp_, *flattenApp_, *packApp_, *bakeApp_, *verifyApp_, *batchApp_,
-      *inspectApp_, *sampleApp_, *sweepApp_, *compareApp_, *reproduceApp_;
+  const CLI::App *unwrapApp_, *atlasApp_, *flattenApp_, *packApp_, *bakeApp_, *verifyApp_,
+      *batchApp_, *inspectApp_, *sampleApp_, *sweepApp_, *compareApp_, *reproduceApp_;
 };
 
 /// The command that batch is to run, as far as the words tell.

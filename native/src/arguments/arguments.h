@@ -42,6 +42,12 @@ struct UnwrapCommand {
   bool quiet = false;
 };
 
+/// Meshes that share an atlas.
+struct AtlasCommand {
+  std::string parts;     ///< file that names them, see AtlasPart
+  UnwrapCommand unwrap;  ///< without input and output
+};
+
 struct PackCommand {
   std::string input, output;
   std::string movedTo;                  ///< where the output will lie; empty: where it is written
@@ -136,6 +142,7 @@ struct BatchCommand {
   std::string out;
   std::string run = "unwrap";
   std::vector<GivenOption> options;  ///< of the command that is run
+  bool hasFolderAtlases = false;     ///< meshes of a folder share an atlas
   std::string ending;      ///< of results, such as ".glb"; empty: as the input, if it can be
   std::size_t jobs = 0;    ///< 0: one per processor
   double timeLimit = 0;    ///< seconds per mesh; 0: none
@@ -151,9 +158,9 @@ struct Finished {
   int exitCode = 0;
 };
 
-using Command = std::variant<Finished, UnwrapCommand, FlattenCommand, PackCommand, BakeCommand,
-                             VerifyCommand, BatchCommand, InspectCommand, SampleCommand,
-                             SweepCommand, CompareCommand, ReproduceCommand>;
+using Command = std::variant<Finished, UnwrapCommand, AtlasCommand, FlattenCommand, PackCommand,
+                             BakeCommand, VerifyCommand, BatchCommand, InspectCommand,
+                             SampleCommand, SweepCommand, CompareCommand, ReproduceCommand>;
 
 /// Prints help and version to standard output, usage errors to standard error.
 Command parseArguments(int argc, const char* const* argv);

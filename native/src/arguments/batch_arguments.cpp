@@ -118,6 +118,12 @@ void setEnding(const std::string& text, BatchCommand& c) {
                                              "gltf");
 }
 
+void setAtlas(const std::string& text, BatchCommand& c) {
+  if (text != "file" && text != "folder")
+    throw CLI::ValidationError("--atlas", "'" + text + "' is neither file nor folder");
+  c.hasFolderAtlases = text == "folder";
+}
+
 void addPlaces(CLI::App& app, BatchCommand& c) {
   app.add_option("IN", c.inputs,
                  "files, folders with all that is in them, and patterns such as\n"
@@ -137,6 +143,13 @@ void addPlaces(CLI::App& app, BatchCommand& c) {
       ->required()
       ->check(notEmpty())
       ->type_name("DIR");
+  app.add_option_function<std::string>(
+         "--atlas", [&c](const std::string& text) { setAtlas(text, c); },
+         wrapped(
+             "which meshes share an atlas, at one texel density: file = none, folder = all that "
+             "lie in the same folder; a list may name atlases, too, as 'atlas'"))
+      ->default_str("file")
+      ->type_name("WORD");
   app.add_option_function<std::string>(
          "--format", [&c](const std::string& text) { setEnding(text, c); },
          wrapped("how meshes are written: obj, ply, glb or gltf (default: as the input, or glb if "

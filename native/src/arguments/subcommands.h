@@ -8,6 +8,8 @@ namespace abflat::cli {
 
 CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c);
 CLI::App* addFlatten(CLI::App& app, FlattenCommand& c);
+/// Hidden: batch starts it.
+CLI::App* addAtlas(CLI::App& app, AtlasCommand& c);
 CLI::App* addPack(CLI::App& app, PackCommand& c);
 CLI::App* addBake(CLI::App& app, BakeCommand& c);
 CLI::App* addVerify(CLI::App& app, VerifyCommand& c);
@@ -26,6 +28,7 @@ void noteGiven(const CLI::App& app, VerifyCommand& c);
 /// own result.
 void checkTogether(const UnwrapCommand& c);
 void checkTogether(const FlattenCommand& c);
+void checkTogether(const AtlasCommand& c);
 void checkTogether(const PackCommand& c);
 void checkTogether(const BakeCommand& c);
 void checkTogether(const VerifyCommand& c);

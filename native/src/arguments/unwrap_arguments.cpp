@@ -71,15 +71,8 @@ void checkStandardInput(const UnwrapCommand& c) {
   }
 }
 
-}  // namespace
-
-CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
-  CLI::App* sub = app.add_subcommand(
-      "unwrap", "Cut any mesh into charts, flatten them and pack them into an atlas");
-  sub->group("Commands");
-  addInput(*sub, c.input);
-  addOutput(*sub, c.output);
-  addMovedTo(*sub, c.movedTo);
+/// All options but those that name the mesh and its result.
+void addUnwrapOptions(CLI::App* sub, UnwrapCommand& c) {
   sub->add_option_function<std::string>(
          "--seams", [&c](const std::string& text) { setSeams(text, c); },
          wrapped("where to cut, separated by commas: auto = where a chart would stretch too much "
@@ -115,8 +108,30 @@ CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
   addAllowOutside(*sub, c.allowsOutside);
   addReport(*sub, c.report);
   addQuiet(*sub, c.quiet);
+}
+
+}  // namespace
+
+CLI::App* addUnwrap(CLI::App& app, UnwrapCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "unwrap", "Cut any mesh into charts, flatten them and pack them into an atlas");
+  sub->group("Commands");
+  addInput(*sub, c.input);
+  addOutput(*sub, c.output);
+  addMovedTo(*sub, c.movedTo);
+  addUnwrapOptions(sub, c);
   sub->footer(exitCodeHelp());
   setUsage(*sub, "abflat unwrap IN -o OUT [OPTIONS]");
+  return sub;
+}
+
+CLI::App* addAtlas(CLI::App& app, AtlasCommand& c) {
+  CLI::App* sub = app.add_subcommand("atlas", "Unwrap several meshes into one atlas");
+  sub->group("");
+  sub->add_option("PARTS", c.parts, "file of batch that names the meshes")
+      ->required()
+      ->check(notEmpty());
+  addUnwrapOptions(sub, c.unwrap);
   return sub;
 }
 
@@ -149,6 +164,19 @@ void checkTogether(const UnwrapCommand& c) {
   checkPictures(c);
   checkBaking(c.baking, c.output, c.options.udim);
   checkStandardInput(c);
+}
+
+void checkTogether(const AtlasCommand& c) {
+  const auto refuseIf = [](bool isGiven, const char* option, const char* why) {
+    if (isGiven) throw CLI::ValidationError(option, std::string(why) + ". Leave out --atlas or it");
+  };
+  const UnwrapCommand& unwrap = c.unwrap;
+  refuseIf(unwrap.keep.any(), "--keep", "meshes that share an atlas are unwrapped whole");
+  refuseIf(!unwrap.seamFile.empty(), "--seams", "a file of seams is about one mesh");
+  refuseIf(!unwrap.pins.empty(), "--pins", "pins are about one mesh");
+  refuseIf(unwrap.baking.isWanted, "--bake", "meshes that share an atlas are not baked");
+  checkUdim(unwrap.options);
+  checkPictures(unwrap);
 }
 
 }  // namespace abflat::cli

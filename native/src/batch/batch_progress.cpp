@@ -20,8 +20,8 @@ double BatchProgress::workOf(const Task& task) {
 }
 
 void BatchProgress::add(const Task& task, bool isGood) {
-  ++done_;
-  failed_ += !isGood;
+  done_ += task.inputs.size();
+  if (!isGood) failed_ += task.inputs.size();
   workDone_ += workOf(task);
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "batch/find_inputs.h"
-#include "batch/mesh_digest.h"
 #include "batch/resume.h"
 #include "batch/task_runner.h"
 #include "batch/work_folder.h"
@@ -64,12 +63,12 @@ Status BatchRun::keepShard() {
   if (command_.shards <= 1) return {};
   std::vector<Task> kept;
   for (Task& task : tasks_) {
-    Result<Digest> digest = meshDigest(task.input.path);
+    Result<Digest> digest = digestOf(task);
     if (digest.ok())
       task.inputHash = digest.value().text();
     else
       digest = Digest();
-    if (task.inputHash.empty()) digest.value().add(task.input.name);
+    if (task.inputHash.empty()) digest.value().add(task.name);
     if (digest.value().partOf(command_.shards) == command_.shard) kept.push_back(std::move(task));
   }
   tasks_ = std::move(kept);
@@ -85,10 +84,11 @@ Status BatchRun::checkFolder() const {
                                            "give --out another folder"};
   }
   for (const Task& task : tasks_)
-    if (!task.output.empty() && isThere(pathOf(task.output)))
-      return {StatusCode::InvalidOption, pathOf(task.output) +
-                                             " is there already, from no batch. Give --out "
-                                             "another folder"};
+    for (const std::string& output : task.outputs)
+      if (isThere(pathOf(output)))
+        return {StatusCode::InvalidOption, pathOf(output) +
+                                               " is there already, from no batch. Give --out "
+                                               "another folder"};
   return {};
 }
 
@@ -96,13 +96,24 @@ void BatchRun::chooseWanted(const ManifestLines& lines) {
   wanted_.clear();
   for (std::size_t i = 0; i < tasks_.size(); ++i) {
     Task& task = tasks_[i];
-    const auto line = lines.find(task.input.name);
+    const auto line = lines.find(task.name);
     if (line != lines.end() && task.inputHash.empty())
-      if (const Result<Digest> digest = meshDigest(task.input.path); digest.ok())
+      if (const Result<Digest> digest = digestOf(task); digest.ok())
         task.inputHash = digest.value().text();
     if (line == lines.end() || !isSettled(line->second, task, command_)) wanted_.push_back(i);
   }
   settled_ = tasks_.size() - wanted_.size();
+}
+
+std::string BatchRun::textOf(const Task& task) const {
+  std::string out;
+  if (task.isAtlas) out += command_.run + " into the atlas " + printable(task.name) + ":\n";
+  for (std::size_t i = 0; i < task.inputs.size(); ++i) {
+    out += (task.isAtlas ? "  " : command_.run + " ") + printable(task.inputs[i].path);
+    if (!task.outputs.empty()) out += " -> " + printable(pathOf(task.outputs[i]));
+    out += "\n";
+  }
+  return out;
 }
 
 std::string BatchRun::planText() const {
@@ -110,9 +121,7 @@ std::string BatchRun::planText() const {
   double most = 0;
   for (const std::size_t number : wanted_) {
     const Task& task = tasks_[number];
-    out += command_.run + " " + printable(task.input.path);
-    if (!task.output.empty()) out += " -> " + printable(pathOf(task.output));
-    out += "\n";
+    out += textOf(task);
     most = std::max(most, task.memory);
   }
   const RunLimits limits = runLimits(command_);
@@ -139,13 +148,12 @@ Status BatchRun::run() {
   if (Status s = work.make(); !s.ok()) return s;
   TaskRunner runner(command_, tasks_, work);
   Status ran = runner.run(wanted_, [this](const ManifestLine& line) {
-    if (const auto old = manifest_.lines().find(line.name); old != manifest_.lines().end())
-      removeOldFiles(old->second, line, command_.out);
+    removeOldFiles(manifest_.lines(), line, command_.out);
     return manifest_.add(line);
   });
   if (!ran.ok()) return ran;
   std::set<std::string> names;
-  for (const Task& task : tasks_) names.insert(task.input.name);
+  for (const Task& task : tasks_) names.insert(task.name);
   manifest_.keepOnly(names);
   return manifest_.sort();
 }

@@ -30,6 +30,7 @@ class BatchRun {
   Status checkFolder() const;
   Status makeFolder() const;
   void chooseWanted(const ManifestLines& lines);
+  std::string textOf(const Task& task) const;
   std::string pathOf(const std::string& name) const;
 
   const BatchCommand& command_;

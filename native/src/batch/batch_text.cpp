@@ -20,7 +20,7 @@ std::map<MeshStatus, StatusTotal> totalsOf(const ManifestLines& lines) {
   std::map<MeshStatus, StatusTotal> out;
   for (const auto& [name, line] : lines) {
     StatusTotal& total = out[line.status];
-    ++total.count;
+    total.count += line.inputs.size();
     total.seconds += line.seconds;
     total.peakMemory = std::max(total.peakMemory, line.peakMemory);
   }

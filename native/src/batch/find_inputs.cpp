@@ -37,6 +37,11 @@ bool isUtf8(const std::string& text) {
 
 bool isHidden(const fs::path& path) { return path.filename().string().front() == '.'; }
 
+/// The name of the atlas that all meshes of a folder share.
+std::string atlasOfFolder(const std::string& name) {
+  return (fs::path(name).parent_path() / "atlas").generic_string();
+}
+
 class InputFinder {
  public:
   explicit InputFinder(const BatchCommand& command)
@@ -62,13 +67,13 @@ class InputFinder {
     std::error_code ignored;  // what cannot be looked up does not exist
     if (fs::is_directory(path, ignored)) return addFolder(path);
     if (fs::exists(path, ignored)) {
-      found_.push_back({path, nameBelow(path), {}, false});
+      found_.push_back({path, nameBelow(path), {}, {}, false});
       return {};
     }
     if (!isPattern(path)) return {StatusCode::UnreadableFile, "there is no file " + path};
     const std::vector<std::string> files = filesLike(path);
     for (const std::string& file : files)
-      if (!isBelow(out_, realPath(file))) found_.push_back({file, nameBelow(file), {}, false});
+      if (!isBelow(out_, realPath(file))) found_.push_back({file, nameBelow(file), {}, {}, false});
     if (files.empty()) return {StatusCode::UnreadableFile, "no file is like " + path};
     return {};
   }
@@ -84,7 +89,7 @@ class InputFinder {
         entry.disable_recursion_pending();
       else if (entry->is_regular_file(ignored) && namedFormat(path.string()))
         found_.push_back(
-            {path.string(), path.lexically_relative(folder).generic_string(), {}, false});
+            {path.string(), path.lexically_relative(folder).generic_string(), {}, {}, false});
     }
     if (error)
       return {StatusCode::UnreadableFile,
@@ -103,31 +108,29 @@ class InputFinder {
       if (isBelow(out_, path))
         return Status{StatusCode::InvalidOption,
                       input.path + " lies where the results go. Give --out another folder"};
-      if (!isUtf8(input.name))
+      if (!isUtf8(input.name) || !isUtf8(input.atlas))
         return Status{StatusCode::InvalidOption,
-                      input.path +
-                          " has a name that is not UTF-8, so no manifest can hold it. "
+                      input.path + (isUtf8(input.name) ? " has an atlas with" : " has") +
+                          " a name that is not UTF-8, so no manifest can hold it. "
                           "Rename it"};
       const auto [old, isNew] = files.try_emplace(path, input);
       if (isNew) continue;
       if (!hasSameOptions(old->second, input))
         return Status{StatusCode::InvalidOption,
                       input.path + " is named twice, with different options"};
+      if (old->second.atlas != input.atlas)
+        return Status{StatusCode::InvalidOption, input.path + " is named for two atlases"};
       if (input.name < old->second.name) old->second = input;
     }
     std::vector<BatchInput> out;
     out.reserve(files.size());
-    for (auto& [path, input] : files) out.push_back(std::move(input));
+    for (auto& [path, input] : files) {
+      if (command_.hasFolderAtlases && input.atlas.empty()) input.atlas = atlasOfFolder(input.name);
+      out.push_back(std::move(input));
+    }
     std::sort(out.begin(), out.end(),
               [](const BatchInput& a, const BatchInput& b) { return a.name < b.name; });
     return out;
-  }
-
-  static bool hasSameOptions(const BatchInput& a, const BatchInput& b) {
-    return std::equal(a.options.begin(), a.options.end(), b.options.begin(), b.options.end(),
-                      [](const GivenOption& x, const GivenOption& y) {
-                        return x.flag == y.flag && x.value == y.value;
-                      });
   }
 
   const BatchCommand& command_;
@@ -143,6 +146,13 @@ std::string nameBelow(const std::string& path) {
   for (const fs::path& part : fs::path(path).lexically_normal().relative_path())
     if (part != "..") out /= part;
   return out.generic_string();
+}
+
+bool hasSameOptions(const BatchInput& a, const BatchInput& b) {
+  return std::equal(a.options.begin(), a.options.end(), b.options.begin(), b.options.end(),
+                    [](const GivenOption& x, const GivenOption& y) {
+                      return x.flag == y.flag && x.value == y.value;
+                    });
 }
 
 Result<std::vector<BatchInput>> findInputs(const BatchCommand& command) {

@@ -82,43 +82,55 @@ Status moveFile(const fs::path& from, const fs::path& to) {
   return {StatusCode::CannotWrite, "cannot write " + to.string() + ": " + error.message()};
 }
 
-/// The files of a folder, the mesh last, so that it never lacks what it needs.
-std::vector<fs::path> filesOf(const WorkPlace& place) {
+/// The files in the folder of a mesh, the mesh last, so that it never lacks what it needs.
+std::vector<fs::path> filesOf(const fs::path& mesh) {
   std::vector<fs::path> out;
   std::error_code ignored;  // an empty list
-  for (const fs::directory_entry& entry : fs::directory_iterator(place.results, ignored))
-    if (entry.path() != fs::path(place.mesh)) out.push_back(entry.path());
+  for (const fs::directory_entry& entry : fs::directory_iterator(mesh.parent_path(), ignored))
+    if (entry.path() != mesh) out.push_back(entry.path());
   std::sort(out.begin(), out.end());
-  out.emplace_back(place.mesh);
+  out.push_back(mesh);
   return out;
 }
 
-Status takeMesh(const Task& task, const WorkPlace& place, const fs::path& out, ManifestLine& line) {
-  const fs::path below = fs::path(task.output).parent_path();
-  for (const fs::path& from : filesOf(place)) {
+/// Moves a mesh and what it needs into a folder of results.
+Status takeMesh(const fs::path& mesh, const fs::path& below, const fs::path& out,
+                ManifestLine& line) {
+  std::vector<WrittenFile> files;
+  for (const fs::path& from : filesOf(mesh)) {
     const fs::path name = below / from.filename();
     const Result<Digest> digest = fileDigest(from.string());
     if (!digest.ok()) return digest.status();
-    line.files.push_back({name.generic_string(), digest.value().text()});
+    files.push_back({name.generic_string(), digest.value().text()});
     if (Status s = moveFile(from, out / name); !s.ok()) return s;
   }
-  std::rotate(line.files.begin(), line.files.end() - 1, line.files.end());
+  line.files.push_back(files.back());
+  line.files.insert(line.files.end(), files.begin(), files.end() - 1);
   return {};
 }
 
 Status takeResults(const Task& task, const WorkPlace& place, const fs::path& out,
                    ManifestLine& line) {
-  if (!task.output.empty())
-    if (Status s = takeMesh(task, place, out, line); !s.ok()) return s;
+  for (std::size_t i = 0; i < task.outputs.size(); ++i)
+    if (Status s = takeMesh(place.meshes[i], fs::path(task.outputs[i]).parent_path(), out, line);
+        !s.ok())
+      return s;
   if (task.picture.empty()) return {};
   line.layout = task.picture;
   return moveFile(place.layout, out / line.layout);
 }
 
+/// Earlier results, be they of the same task, or of an atlas that the meshes shared.
+void removeOutputs(const Task& task, const fs::path& out) {
+  std::error_code ignored;  // there may be none
+  for (const std::string& output : task.outputs) fs::remove(out / output, ignored);
+}
+
 ManifestLine lineOf(const Task& task) {
   ManifestLine out;
-  out.name = task.input.name;
-  out.input = task.input.path;
+  out.name = task.name;
+  out.isAtlas = task.isAtlas;
+  for (const BatchInput& input : task.inputs) out.inputs.push_back(input.path);
   out.inputHash = task.inputHash;
   out.optionsHash = task.optionsHash;
   out.version = ABFLAT_VERSION;
@@ -137,7 +149,10 @@ ManifestLine finishedTask(const Task& task, const WorkPlace& place, const TaskEn
     explainSignal(end, line);
   else
     explainExit(end, said.ok() ? said.value() : "", line);
-  if (line.status != MeshStatus::Done && line.status != MeshStatus::NotValid) return line;
+  if (line.status != MeshStatus::Done && line.status != MeshStatus::NotValid) {
+    removeOutputs(task, out);
+    return line;
+  }
   const Result<std::string> report = readBytes(place.report);
   if (report.ok()) line.summary = reportSummary(report.value());
   if (line.message.empty()) line.message = firstFinding(line.summary);

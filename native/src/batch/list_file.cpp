@@ -22,7 +22,7 @@ struct ListRow {
   std::vector<std::pair<std::string, std::string>> cells;
 };
 
-constexpr const char* kInputKey = "input";
+constexpr const char *kInputKey = "input", *kAtlasKey = "atlas";
 
 /// "max-stretch", "maxStretch" and "--max-stretch" are the same option.
 std::string flagOf(const std::string& key) {
@@ -123,6 +123,11 @@ class ListReader {
       if (key == kInputKey) {
         out.path = (folder_ / text).string();
         out.name = nameBelow(text);
+        continue;
+      }
+      if (key == kAtlasKey) {
+        out.atlas = nameBelow(text);
+        if (out.atlas.empty()) return wrong(row.line, "\"" + text + "\" is no name for an atlas");
         continue;
       }
       Result<GivenOption> option = optionOf(row.line, key, text);

@@ -47,7 +47,8 @@ std::string manifestText(const ManifestLine& line) {
     files.push_back(LineJson{{"path", file.path}, {"hash", file.hash}});
   LineJson out;
   out["name"] = line.name;
-  out["input"] = line.input;
+  out["isAtlas"] = line.isAtlas;
+  out["inputs"] = line.inputs;
   out["status"] = wordFor(line.status);
   out["message"] = line.message;
   out["inputHash"] = line.inputHash;
@@ -70,9 +71,12 @@ std::optional<ManifestLine> parseManifestLine(const std::string& text) {
   const std::optional<MeshStatus> status = statusOfWord(textAt(json, "status"));
   ManifestLine out;
   out.name = textAt(json, "name");
-  if (!status || out.name.empty()) return {};
+  out.isAtlas = json.contains("isAtlas") && json["isAtlas"] == true;
+  if (json.contains("inputs") && json["inputs"].is_array())
+    for (const LineJson& input : json["inputs"])
+      if (input.is_string()) out.inputs.push_back(input.get<std::string>());
+  if (!status || out.name.empty() || out.inputs.empty()) return {};
   out.status = *status;
-  out.input = textAt(json, "input");
   out.message = textAt(json, "message");
   out.inputHash = textAt(json, "inputHash");
   out.optionsHash = textAt(json, "optionsHash");

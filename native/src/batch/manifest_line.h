@@ -27,18 +27,19 @@ struct WrittenFile {
   std::string path, hash;
 };
 
-/// What a manifest says about one mesh.
+/// What a manifest says about one mesh, or about the meshes of an atlas.
 struct ManifestLine {
-  std::string name;   ///< of the mesh, as BatchInput
-  std::string input;  ///< its path
+  std::string name;                 ///< as Task
+  std::vector<std::string> inputs;  ///< paths of the meshes
   MeshStatus status = MeshStatus::Done;
   std::string message;                          ///< why it is not done
   std::string inputHash, optionsHash, version;  ///< what the result depends on
-  std::vector<WrittenFile> files;               ///< the mesh, then what it needs
+  std::vector<WrittenFile> files;               ///< each mesh, then what it needs
   std::string layout;                           ///< picture; empty: none
   std::string summary;                          ///< of the report, as JSON; empty: none
   double limit = 0;                             ///< what it has hit, seconds or MB; 0: none
   double seconds = 0, peakMemory = 0;
+  bool isAtlas = false;
 
   bool isGood() const { return status == MeshStatus::Done; }
 };

@@ -76,4 +76,14 @@ Result<Digest> meshDigest(const std::string& path) {
   return out;
 }
 
+Result<Digest> atlasDigest(const std::vector<BatchInput>& meshes) {
+  Digest out;
+  for (const BatchInput& mesh : meshes) {
+    const Result<Digest> content = meshDigest(mesh.path);
+    if (!content.ok()) return content.status();
+    out.add(mesh.name + "\n" + content.value().text() + "\n");
+  }
+  return out;
+}
+
 }  // namespace abflat::cli

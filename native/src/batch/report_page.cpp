@@ -93,8 +93,25 @@ std::string pictureCell(const ManifestLine& line) {
          address + "\" alt=\"layout of " + escapedMarkup(line.name) + "\"></a></td>";
 }
 
+/// What an atlas is of: links to the results, or to the meshes if there are none.
+std::string atlasCell(const ManifestLine& line, const std::string& out) {
+  constexpr std::size_t kShown = 8;
+  std::string links;
+  const std::size_t count = line.files.empty() ? line.inputs.size() : line.files.size();
+  for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
+    links += i > 0 ? ", " : "";
+    links += line.files.empty() ? linkTo(pathFrom(out, line.inputs[i]), line.inputs[i])
+                                : linkTo(line.files[i].path, line.files[i].path);
+  }
+  if (count > kShown) links += " and " + std::to_string(count - kShown) + " more";
+  return "<td class=\"wide\">" + escapedMarkup(line.name) + "<span class=\"from\">" + links +
+         "</span></td>";
+}
+
 std::string nameCell(const ManifestLine& line, const std::string& out) {
-  const std::string input = linkTo(pathFrom(out, line.input), line.input);
+  if (line.isAtlas) return atlasCell(line, out);
+  const std::string& from = line.inputs.front();
+  const std::string input = linkTo(pathFrom(out, from), from);
   if (line.files.empty()) return "<td class=\"wide\">" + input + "</td>";
   const std::string& result = line.files.front().path;
   return "<td class=\"wide\">" + linkTo(result, result) + "<span class=\"from\">from " + input +
@@ -156,16 +173,18 @@ std::string headingsText() {
 
 std::string totalsList(const ManifestLines& lines) {
   std::map<MeshStatus, std::size_t> counts;
+  std::size_t meshes = 0;
   double seconds = 0, peak = 0;
   for (const auto& [name, line] : lines) {
-    ++counts[line.status];
+    counts[line.status] += line.inputs.size();
+    meshes += line.inputs.size();
     seconds += line.seconds;
     peak = std::max(peak, line.peakMemory);
   }
   const auto total = [](const std::string& word, const std::string& value) {
     return "<div><dt>" + word + "</dt><dd>" + value + "</dd></div>\n";
   };
-  std::string out = "<dl>\n" + total("meshes", std::to_string(lines.size()));
+  std::string out = "<dl>\n" + total("meshes", std::to_string(meshes));
   for (const auto& [status, count] : counts) out += total(wordFor(status), std::to_string(count));
   return out + total("time of all", durationText(seconds)) +
          total("highest peak", fixedText(peak, 0) + " MB") + "</dl>\n";

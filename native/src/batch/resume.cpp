@@ -16,6 +16,11 @@ bool isUnchanged(const WrittenFile& file, const fs::path& out) {
   return digest.ok() && digest.value().text() == file.hash;
 }
 
+bool hasFile(const ManifestLine& line, const std::string& path) {
+  return std::any_of(line.files.begin(), line.files.end(),
+                     [&](const WrittenFile& file) { return file.path == path; });
+}
+
 /// Whether a mesh that needed more than `old` would need more than `now` as well, where 0 is no
 /// limit.
 bool staysTooMuch(double old, double now) { return now > 0 && now <= old; }
@@ -53,12 +58,18 @@ bool isSettled(const ManifestLine& line, const Task& task, const BatchCommand& c
                      [&](const WrittenFile& file) { return isUnchanged(file, out); });
 }
 
-void removeOldFiles(const ManifestLine& old, const ManifestLine& now, const std::string& out) {
+void removeOldFiles(const ManifestLines& lines, const ManifestLine& now, const std::string& out) {
+  const auto found = lines.find(now.name);
+  if (found == lines.end()) return;
+  const ManifestLine& old = found->second;
   std::error_code ignored;  // it may be gone
   for (const WrittenFile& file : old.files) {
-    const bool isNew = std::any_of(now.files.begin(), now.files.end(),
-                                   [&](const WrittenFile& f) { return f.path == file.path; });
-    if (!isNew) fs::remove(fs::path(out) / file.path, ignored);
+    if (hasFile(now, file.path)) continue;
+    // A mesh that has moved to another atlas may have its new result already.
+    const bool isOfOther = std::any_of(lines.begin(), lines.end(), [&](const auto& line) {
+      return line.first != now.name && hasFile(line.second, file.path);
+    });
+    if (!isOfOther) fs::remove(fs::path(out) / file.path, ignored);
   }
   if (!old.layout.empty() && old.layout != now.layout)
     fs::remove(fs::path(out) / old.layout, ignored);

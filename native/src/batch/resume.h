@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "batch/manifest_line.h"
+#include "batch/manifest.h"
 #include "batch/task.h"
 
 namespace abflat::cli {
@@ -12,7 +12,8 @@ namespace abflat::cli {
 /// The task has its hashes.
 bool isSettled(const ManifestLine& line, const Task& task, const BatchCommand& command);
 
-/// Removes files of an earlier result that are not part of the new one.
-void removeOldFiles(const ManifestLine& old, const ManifestLine& now, const std::string& out);
+/// Removes files that are in the line of an earlier result, and neither part of the new one nor in
+/// another line.
+void removeOldFiles(const ManifestLines& lines, const ManifestLine& now, const std::string& out);
 
 }  // namespace abflat::cli

@@ -12,7 +12,8 @@
 #include "batch/awaited_signals.h"
 #include "batch/finished_task.h"
 #include "batch/memory_model.h"
-#include "batch/mesh_digest.h"
+#include "files/atlas_parts.h"
+#include "files/output_file.h"
 #include "terminal/terminal.h"
 
 namespace abflat::cli {
@@ -21,6 +22,12 @@ namespace {
 double workOfAll(const std::vector<Task>& tasks, const std::vector<std::size_t>& wanted) {
   double out = 0;
   for (const std::size_t task : wanted) out += BatchProgress::workOf(tasks[task]);
+  return out;
+}
+
+std::size_t meshesOfAll(const std::vector<Task>& tasks, const std::vector<std::size_t>& wanted) {
+  std::size_t out = 0;
+  for (const std::size_t task : wanted) out += tasks[task].inputs.size();
   return out;
 }
 
@@ -55,7 +62,7 @@ double TaskRunner::secondsSince(Clock::time_point start) {
 Status TaskRunner::run(const std::vector<std::size_t>& wanted, const OnEnd& onEnd) {
   const AwaitedSignals signals;
   Schedule schedule(tasks_, wanted, limits_.memory);
-  BatchProgress progress(!command_.quiet && isErrorTerminal(), wanted.size(),
+  BatchProgress progress(!command_.quiet && isErrorTerminal(), meshesOfAll(tasks_, wanted),
                          workOfAll(tasks_, wanted));
   threads_ = std::max<std::size_t>(1, limits_.jobs / std::max<std::size_t>(1, wanted.size()));
   while (!schedule.isEmpty() || !running_.empty() || !ended_.empty()) {
@@ -85,10 +92,11 @@ Status TaskRunner::startAll(Schedule& schedule) {
 
 std::vector<std::string> TaskRunner::wordsFor(const Task& task, const WorkPlace& place,
                                               bool isAlone) const {
-  std::vector<std::string> out = {"abflat", command_.run, "--quiet", "--report=" + place.report};
-  if (!task.output.empty()) {
-    out.push_back("--output=" + place.mesh);
-    out.push_back("--moved-to=" + (std::filesystem::path(command_.out) / task.output).string());
+  std::vector<std::string> out = {"abflat", task.isAtlas ? "atlas" : command_.run, "--quiet",
+                                  "--report=" + place.report};
+  if (!task.isAtlas && !task.outputs.empty()) {
+    out.push_back("--output=" + place.meshes.front());
+    out.push_back("--moved-to=" + placeOf(task.outputs.front()));
   }
   if (!task.picture.empty())
     out.push_back((command_.run == "verify" ? "--picture=" : "--layout=") + place.layout);
@@ -101,17 +109,30 @@ std::vector<std::string> TaskRunner::wordsFor(const Task& task, const WorkPlace&
   const bool hasOne = command_.memoryLimit > 0;
   const std::size_t threads = hasOne ? 1 : isAlone ? limits_.jobs : threads_;
   if (!hasOwnThreads) out.push_back("--threads=" + std::to_string(threads));
-  out.insert(out.end(), {"--", task.input.path});
+  out.insert(out.end(), {"--", task.isAtlas ? place.parts : task.inputs.front().path});
   return out;
+}
+
+std::string TaskRunner::placeOf(const std::string& output) const {
+  return (std::filesystem::path(command_.out) / output).string();
+}
+
+Status TaskRunner::writeParts(const Task& task, const WorkPlace& place) const {
+  if (!task.isAtlas) return {};
+  std::vector<AtlasPart> parts;
+  for (std::size_t i = 0; i < task.inputs.size(); ++i)
+    parts.push_back({task.inputs[i].path, place.meshes[i], placeOf(task.outputs[i])});
+  return OutputFile(place.parts).writeNow(atlasPartsText(parts));
 }
 
 Status TaskRunner::start(std::size_t number, bool isAlone) {
   Task& task = tasks_[number];
   if (task.inputHash.empty())
-    if (const Result<Digest> digest = meshDigest(task.input.path); digest.ok())
+    if (const Result<Digest> digest = digestOf(task); digest.ok())
       task.inputHash = digest.value().text();
   const Result<WorkPlace> place = work_.placeFor(number, task);
   if (!place.ok()) return place.status();
+  if (Status s = writeParts(task, place.value()); !s.ok()) return s;
   Running running;
   running.task = number;
   running.place = place.value();

@@ -58,6 +58,8 @@ class TaskRunner {
   Status startAll(Schedule& schedule);
   Status start(std::size_t task, bool isAlone);
   std::vector<std::string> wordsFor(const Task& task, const WorkPlace& place, bool isAlone) const;
+  std::string placeOf(const std::string& output) const;
+  Status writeParts(const Task& task, const WorkPlace& place) const;
   void reap();
   Status finishEnded(const OnEnd& onEnd, BatchProgress& progress);
   void endSlow();

@@ -41,16 +41,21 @@ Status WorkFolder::make() {
 
 Result<WorkPlace> WorkFolder::placeFor(std::size_t number, const Task& task) const {
   const fs::path folder = fs::path(path_) / std::to_string(number);
-  const fs::path results = folder / "results";
+  WorkPlace out;
+  out.folder = folder.string();
+  out.report = (folder / "report.json").string();
+  out.layout = (folder / ("layout" + fs::path(task.picture).extension().string())).string();
+  out.said = (folder / "said.txt").string();
+  out.parts = (folder / "parts").string();
   std::error_code error;
-  fs::create_directories(results, error);
-  if (error) return cannotMake(results.string(), error.message());
-  return WorkPlace{folder.string(),
-                   results.string(),
-                   (results / fs::path(task.output).filename()).string(),
-                   (folder / "report.json").string(),
-                   (folder / ("layout" + fs::path(task.picture).extension().string())).string(),
-                   (folder / "said.txt").string()};
+  fs::create_directories(folder, error);
+  for (std::size_t i = 0; i < task.outputs.size() && !error; ++i) {
+    const fs::path results = folder / "results" / std::to_string(i);
+    fs::create_directories(results, error);
+    out.meshes.push_back((results / fs::path(task.outputs[i]).filename()).string());
+  }
+  if (error) return cannotMake(folder.string(), error.message());
+  return out;
 }
 
 void WorkFolder::remove(const WorkPlace& place) {

@@ -10,10 +10,10 @@ namespace abflat::cli {
 
 /// Where the files of one task lie until they are complete.
 struct WorkPlace {
-  std::string folder;   ///< of this task alone
-  std::string results;  ///< folder in it, for the mesh and what it needs
-  std::string mesh;     ///< in `results`
+  std::string folder;               ///< of this task alone
+  std::vector<std::string> meshes;  ///< each in a folder for it and what it needs
   std::string report, layout, said;
+  std::string parts;  ///< list of the meshes of an atlas
 };
 
 /// A folder within that of results for files that are not complete. A run that was killed leaves

@@ -9,6 +9,7 @@ int runUnwrap(const UnwrapCommand& command);
 int runFlatten(const FlattenCommand& command);
 int runPack(const PackCommand& command);
 int runBake(const BakeCommand& command);
+int runAtlas(const AtlasCommand& command);
 int runVerify(const VerifyCommand& command);
 int runBatch(const BatchCommand& command);
 int runInspect(const InspectCommand& command);

@@ -3,6 +3,7 @@
 #include "abflat/peak_memory.h"
 #include "abflat/unwrap.h"
 #include "commands/commands.h"
+#include "commands/layout_picture.h"
 #include "commands/mesh_run.h"
 #include "files/paths.h"
 #include "files/pins_file.h"
@@ -87,12 +88,11 @@ struct UnwrapJob {
                      [](const PolygonMesh&, const UnwrapResult& result) -> Result<std::string> {
                        return seamsText(result.seams);
                      }});
-    if (endingOf(command.layout) == ".svg")
-      out.push_back({command.layout,
-                     [scale = command.scale](const PolygonMesh& mesh, const UnwrapResult& result)
-                         -> Result<std::string> { return atlasSvg(mesh, result, scale); }});
-    else if (!command.layout.empty())
-      out.push_back({command.layout, atlasPng});
+    if (!command.layout.empty())
+      out.push_back({command.layout, [path = command.layout, scale = command.scale](
+                                         const PolygonMesh& mesh, const UnwrapResult& result) {
+                       return layoutPicture(path, scale, mesh, result);
+                     }});
     if (!command.heatMap.empty()) out.push_back({command.heatMap, heatMapPng});
     return out;
   }
