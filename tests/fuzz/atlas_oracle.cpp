@@ -44,6 +44,14 @@ bool boxesMeet(const double* a, const double* b) {
   return true;
 }
 
+}  // namespace
+
+bool doOverlap(const double* a, const double* b) {
+  return boxesMeet(a, b) && !isBehindAnEdge(a, b) && !isBehindAnEdge(b, a);
+}
+
+namespace {
+
 std::string overlap(const std::vector<double>& uv, std::vector<std::size_t> solid) {
   const auto left = [&](std::size_t i) {
     return std::min({uv[6 * i], uv[6 * i + 2], uv[6 * i + 4]});
@@ -60,8 +68,7 @@ std::string overlap(const std::vector<double>& uv, std::vector<std::size_t> soli
                               [&](std::size_t j) { return right(j) <= left(i); }),
                open.end());
     for (const std::size_t j : open)
-      if (boxesMeet(t, &uv[6 * j]) && !isBehindAnEdge(t, &uv[6 * j]) &&
-          !isBehindAnEdge(&uv[6 * j], t))
+      if (doOverlap(t, &uv[6 * j]))
         return "triangles " + std::to_string(std::min(i, j)) + " and " +
                std::to_string(std::max(i, j)) + " overlap";
     open.push_back(i);

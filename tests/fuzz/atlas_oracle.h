@@ -20,4 +20,7 @@ std::string complaint(const AtlasTriangles& triangles, int tiles);
 /// The same for a layout that lies anywhere in the plane.
 std::string overlapComplaint(const AtlasTriangles& triangles);
 
+/// Whether two counter-clockwise triangles of 6 numbers share more than boundary.
+bool doOverlap(const double* a, const double* b);
+
 }  // namespace abflat::fuzz

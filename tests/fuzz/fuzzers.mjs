@@ -27,7 +27,7 @@ const LIMITS = [
   '-malloc_limit_mb=1024',
 ];
 /** Most bytes of an input. */
-const LENGTHS = { unwrap: 1200, flatten: 1200, pack: 1200 };
+const LENGTHS = { unwrap: 1200, flatten: 1200, pack: 1200, verify: 1200 };
 const USUAL_LENGTH = 8192;
 /** Seeds below this run with every `npm test`. */
 const FIRST_SEED = 1000;

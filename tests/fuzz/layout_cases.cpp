@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "abflat/io.h"
 #include "random_mesh.h"
@@ -121,6 +123,24 @@ PackCase packCase(const std::uint8_t* bytes, std::size_t size) {
   return out;
 }
 
+VerifyCase verifyCase(const std::uint8_t* bytes, std::size_t size) {
+  RandomSource random(bytes, size);
+  VerifyCase out;
+  // Letters, as a file in either format begins with one.
+  const std::uint8_t kind = random.byte();
+  if (kind == 'o' || kind == 'p') {
+    const std::string_view text(reinterpret_cast<const char*>(bytes) + 1, size - 1);
+    Result<PolygonMesh> mesh =
+        readMesh(text, kind == 'o' ? MeshFormat::Obj : MeshFormat::Ply, "made-up");
+    if (mesh.ok()) out.mesh = std::move(mesh.value());
+    return out;
+  }
+  if (!random.flag()) randomValues(out.options, random);
+  out.mesh = randomMesh(random);
+  addLayout(out.mesh, random);
+  return out;
+}
+
 std::string shown(const UnwrapCase& c) {
   std::ostringstream out;
   showOptions(out, static_cast<const UnwrapOptionValues&>(c.options));
@@ -151,6 +171,12 @@ std::string shown(const PackCase& c) {
   std::ostringstream out;
   showOptions(out, static_cast<const PackOptionValues&>(c.options));
   out << "# precision " << static_cast<int>(c.options.precision) << "\n";
+  return out.str() + writeObj(c.mesh, c.mesh.texcoords, c.mesh.faceTexcoords);
+}
+
+std::string shown(const VerifyCase& c) {
+  std::ostringstream out;
+  showOptions(out, static_cast<const VerifyOptionValues&>(c.options));
   return out.str() + writeObj(c.mesh, c.mesh.texcoords, c.mesh.faceTexcoords);
 }
 

@@ -6,6 +6,7 @@
 
 #include "abflat/pack_layout.h"
 #include "abflat/unwrap.h"
+#include "abflat/verify.h"
 
 namespace abflat::fuzz {
 
@@ -29,9 +30,17 @@ struct PackCase {
 };
 PackCase packCase(const std::uint8_t* bytes, std::size_t size);
 
+struct VerifyCase {
+  PolygonMesh mesh;
+  VerifyOptions options;
+};
+/// A random mesh with a random layout, or a file: the first byte says which.
+VerifyCase verifyCase(const std::uint8_t* bytes, std::size_t size);
+
 /// A case for people: the mesh as an OBJ, options and seams as comments.
 std::string shown(const UnwrapCase& c);
 std::string shown(const FlattenCase& c);
 std::string shown(const PackCase& c);
+std::string shown(const VerifyCase& c);
 
 }  // namespace abflat::fuzz

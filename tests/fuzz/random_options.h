@@ -8,7 +8,7 @@ namespace abflat::fuzz {
 /// A value for every option, the default mostly; each value of each choice, and for numbers some
 /// within the range and some at its ends.
 template <class Options>
-void randomOptions(Options& options, RandomSource& random) {
+void randomValues(Options& options, RandomSource& random) {
   const int count = static_cast<int>(optionInfos(options).count);
   for (int i = 0; i < count; ++i) {
     if (random.below(3) != 1) continue;
@@ -20,6 +20,11 @@ void randomOptions(Options& options, RandomSource& random) {
     Options tried = options;
     if (setOption(tried, i, value)) options = tried;
   }
+}
+
+template <class Options>
+void randomOptions(Options& options, RandomSource& random) {
+  randomValues(options, random);
   options.threads = options.threads > 2 ? 2 : options.threads;  // as many as are worth the time
 }
 

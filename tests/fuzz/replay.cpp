@@ -1,7 +1,7 @@
 // Runs targets without a fuzzer, with any compiler: on files, or on bytes from a random generator.
 // Usage: abflat_replay TARGET FILE...
 //        abflat_replay TARGET --random COUNT [--seed SEED]
-//        abflat_replay unwrap|flatten|pack --show SEED|FILE     (the case as an OBJ)
+//        abflat_replay unwrap|flatten|pack|verify --show SEED|FILE     (the case as an OBJ)
 
 #include <algorithm>
 #include <chrono>
@@ -54,9 +54,10 @@ int show(const std::string& target, const char* seedOrFile) {
       in.is_open() ? std::vector<std::uint8_t>{std::istreambuf_iterator<char>(in), {}}
                    : randomBytes(std::strtoul(seedOrFile, nullptr, 10));
   using namespace abflat::fuzz;
-  const std::string text = target == "unwrap" ? shown(unwrapCase(bytes.data(), bytes.size()))
-                           : target == "pack" ? shown(packCase(bytes.data(), bytes.size()))
-                                              : shown(flattenCase(bytes.data(), bytes.size()));
+  const std::string text = target == "unwrap"   ? shown(unwrapCase(bytes.data(), bytes.size()))
+                           : target == "pack"   ? shown(packCase(bytes.data(), bytes.size()))
+                           : target == "verify" ? shown(verifyCase(bytes.data(), bytes.size()))
+                                                : shown(flattenCase(bytes.data(), bytes.size()));
   std::fwrite(text.data(), 1, text.size(), stdout);
   return 0;
 }

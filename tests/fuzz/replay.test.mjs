@@ -15,5 +15,5 @@ for (const target of TARGET_NAMES) {
     test(`${target}: ${files.length} findings stay mended`, () => replay(target, ...files));
 }
 
-for (const target of ['unwrap', 'flatten', 'pack'])
+for (const target of ['unwrap', 'flatten', 'pack', 'verify'])
   test(`${target}: 250 random meshes with random options`, () => replayRandom(target, 250, 1));

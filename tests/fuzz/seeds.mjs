@@ -167,6 +167,11 @@ const TARGETS = {
   unwrap: randomBytes(200),
   flatten: randomBytes(200),
   pack: randomBytes(200),
+  verify: [
+    ...randomBytes(200),
+    ...OBJ.map((text) => `o${text}`),
+    ...PLY_FORMATS.map((format) => Buffer.concat([Buffer.from('p'), square(format)])),
+  ],
 };
 
 function randomBytes(count) {

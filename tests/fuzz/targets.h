@@ -22,20 +22,23 @@ bool unwrapMesh(const std::uint8_t* bytes, std::size_t size);
 bool flattenMesh(const std::uint8_t* bytes, std::size_t size);
 /// A random mesh with a random layout, packed again.
 bool packMesh(const std::uint8_t* bytes, std::size_t size);
+/// A layout, random or of a file, judged.
+bool verifyMesh(const std::uint8_t* bytes, std::size_t size);
 
 struct NamedTarget {
   const char* name;
   Target run;
 };
 
-constexpr std::array<NamedTarget, 9> kTargets = {{{"obj", readObj},
-                                                  {"ply", readPly},
-                                                  {"stl", readStl},
-                                                  {"off", readOff},
-                                                  {"gltf", readGltf},
-                                                  {"materials", readMaterials},
-                                                  {"unwrap", unwrapMesh},
-                                                  {"flatten", flattenMesh},
-                                                  {"pack", packMesh}}};
+constexpr std::array<NamedTarget, 10> kTargets = {{{"obj", readObj},
+                                                   {"ply", readPly},
+                                                   {"stl", readStl},
+                                                   {"off", readOff},
+                                                   {"gltf", readGltf},
+                                                   {"materials", readMaterials},
+                                                   {"unwrap", unwrapMesh},
+                                                   {"flatten", flattenMesh},
+                                                   {"pack", packMesh},
+                                                   {"verify", verifyMesh}}};
 
 }  // namespace abflat::fuzz

@@ -16,7 +16,7 @@ namespace abflat {
 ABFLAT_API Result<PolygonMesh> joinMeshes(const std::vector<const PolygonMesh*>& meshes);
 
 /// The part of a layout that belongs to one of the joined meshes; names as in UnwrapResult.
-struct MeshLayout {
+struct JoinedPart {
   std::vector<double> uv;
   std::vector<std::uint32_t> cornerUv;
   std::vector<std::uint32_t> chartOfFace;      ///< in the report of the whole layout
@@ -25,10 +25,10 @@ struct MeshLayout {
 };
 
 /// The layout of each mesh, from that of joinMeshes(meshes).
-ABFLAT_API std::vector<MeshLayout> splitLayout(const UnwrapResult& joined,
+ABFLAT_API std::vector<JoinedPart> splitLayout(const UnwrapResult& joined,
                                                const std::vector<const PolygonMesh*>& meshes);
 
 /// Turns the faces of a mesh that its layout has turned, as for an UnwrapResult.
-ABFLAT_API void turnFaces(PolygonMesh& mesh, MeshLayout& layout);
+ABFLAT_API void turnFaces(PolygonMesh& mesh, JoinedPart& layout);
 
 }  // namespace abflat

@@ -49,9 +49,12 @@ class Rows {
       sum += b.high[1] - b.low[1];
     }
     const auto n = static_cast<double>(boxes.size());
-    if (!std::isfinite(sum)) return;  // one row for what is too large to count in rows
-    count_ = sum > 0 ? std::clamp(std::floor((high - low_) / sum * n), 1.0, n) : 1;
-    perUnit_ = high > low_ ? count_ / (high - low_) : 0;
+    // One row for what is too large, or too small, to be counted in rows.
+    const double count = sum > 0 ? std::clamp(std::floor((high - low_) / sum * n), 1.0, n) : 1;
+    const double perUnit = count / (high - low_);
+    if (!std::isfinite(sum) || !std::isfinite(perUnit)) return;
+    count_ = count;
+    perUnit_ = perUnit;
   }
 
   std::size_t count() const { return static_cast<std::size_t>(count_); }

@@ -152,7 +152,7 @@ IndexList takeBelow(const IndexList& values, std::size_t& next, std::size_t begi
 
 /// Texcoords are numbered by first use, since those of one mesh need not lie side by side.
 void takeTexcoords(const UnwrapResult& joined, std::size_t begin, std::size_t end,
-                   MeshLayout& out) {
+                   JoinedPart& out) {
   std::vector<std::uint32_t> used(joined.cornerUv.begin() + static_cast<std::ptrdiff_t>(begin),
                                   joined.cornerUv.begin() + static_cast<std::ptrdiff_t>(end));
   out.cornerUv = used;
@@ -170,12 +170,12 @@ Result<PolygonMesh> joinMeshes(const std::vector<const PolygonMesh*>& meshes) {
   return guarded([&] { return MeshJoiner(meshes).join(); });
 }
 
-std::vector<MeshLayout> splitLayout(const UnwrapResult& joined,
+std::vector<JoinedPart> splitLayout(const UnwrapResult& joined,
                                     const std::vector<const PolygonMesh*>& meshes) {
-  std::vector<MeshLayout> out;
+  std::vector<JoinedPart> out;
   std::size_t face = 0, corner = 0, triangleCorner = 0, turned = 0;
   for (const PolygonMesh* mesh : meshes) {
-    MeshLayout& part = out.emplace_back();
+    JoinedPart& part = out.emplace_back();
     const std::size_t faceEnd = face + mesh->faceCount();
     const std::size_t cornerEnd = corner + mesh->faceVertices.size();
     takeTexcoords(joined, corner, cornerEnd, part);
@@ -189,7 +189,7 @@ std::vector<MeshLayout> splitLayout(const UnwrapResult& joined,
   return out;
 }
 
-void turnFaces(PolygonMesh& mesh, MeshLayout& layout) {
+void turnFaces(PolygonMesh& mesh, JoinedPart& layout) {
   if (layout.turnedFaces.empty()) return;
   turnFaces(layout.turnedFaces, mesh);
   const std::vector<std::uint32_t> order = turnedCorners(mesh, layout.turnedFaces);

@@ -52,7 +52,7 @@ class AtlasRun {
     if (!result.ok()) return result.status();
     if (Status s = writePicture(joined.value(), result.value()); !s.ok()) return s;
     joined.value() = {};
-    std::vector<MeshLayout> layouts = splitLayout(result.value(), meshes);
+    std::vector<JoinedPart> layouts = splitLayout(result.value(), meshes);
     for (std::size_t i = 0; i < parts_.size(); ++i)
       if (Status s = writeMesh(i, layouts[i]); !s.ok()) return s;
     UnwrapReport report = std::move(result.value().report);
@@ -105,7 +105,7 @@ class AtlasRun {
     return newFile(command_.layout).write(std::move(picture.value()));
   }
 
-  Status writeMesh(std::size_t number, MeshLayout& layout) {
+  Status writeMesh(std::size_t number, JoinedPart& layout) {
     InputFile& input = inputs_[number];
     const AtlasPart& part = parts_[number];
     const bool isGltf = writtenFormat(part.output) == FileFormat::Gltf;

@@ -1,5 +1,6 @@
 #include "exact/orientation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -45,4 +46,38 @@ TEST_CASE("orientation agrees with integer arithmetic") {
     for (int k = 0; k < 6; ++k) d[k] = static_cast<double>(p[k]);
     CHECK(orientation(d, d + 2, d + 4) == (det > 0) - (det < 0));
   }
+}
+
+TEST_CASE("orientation is exact for numbers of any size") {
+  std::mt19937_64 random(2);
+  std::uniform_int_distribution<int> digit(-9, 9), exponent(-1070, 1019);
+  for (int n = 0; n < 20000; ++n) {
+    // Multiples of two powers of two, so that integers tell the sign: those of the larger one
+    // decide, unless they are in line.
+    const int large = exponent(random), small = std::min(large, exponent(random));
+    const bool isFar = large - small > 60;
+    double p[6];
+    Wide whole[6];
+    for (int k = 0; k < 6; ++k) {
+      const int high = digit(random), low = digit(random);
+      p[k] = std::ldexp(high, large);
+      whole[k] = high;
+      if (k % 2 == 1 && isFar) {
+        p[k] = std::ldexp(low, small);  // v is small, u is large
+        whole[k] = low;
+      }
+    }
+    const Wide det = (whole[2] - whole[0]) * (whole[5] - whole[1]) -
+                     (whole[3] - whole[1]) * (whole[4] - whole[0]);
+    CHECK(orientation(p, p + 2, p + 4) == (det > 0) - (det < 0));
+  }
+  // Next to a line far from the origin, and smallest numbers beside large ones.
+  constexpr double kLeast = 4.9e-324;
+  const double a[2] = {0, 0}, b[2] = {1, 1}, c[2] = {kLeast, 2 * kLeast}, d[2] = {1e308, -1e308};
+  CHECK(orientation(a, b, c) == 1);
+  CHECK(orientation(b, a, c) == -1);
+  CHECK(orientation(c, d, b) == 1);
+  CHECK(orientation(a, c, c) == 0);
+  const double e[2] = {1 + 0x1p-52, 1}, f[2] = {1, 1 - 0x1p-53};
+  CHECK(orientation(f, e, a) == -orientation(a, e, f));
 }

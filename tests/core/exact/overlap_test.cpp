@@ -156,3 +156,15 @@ TEST_CASE("thousands of copies of a triangle all overlap", "[overlap]") {
   const std::vector<std::uint8_t> found = overlappingTriangles(uv);
   CHECK(std::count(found.begin(), found.end(), 1) == 20000);
 }
+
+TEST_CASE("overlaps are the same at any scale that doubles have", "[overlap]") {
+  std::mt19937 random(5);
+  std::vector<double> uv;
+  for (int i = 0; i < 6 * 60; ++i) uv.push_back(static_cast<double>(random() % 64));
+  const std::vector<std::uint8_t> expected = overlappingTriangles(uv);
+  for (const int exponent : {-1074, -1060, -1022, -700, -300, 300, 700, 1017}) {
+    std::vector<double> scaled = uv;
+    for (double& x : scaled) x = std::ldexp(x, exponent);
+    CHECK(overlappingTriangles(scaled) == expected);
+  }
+}

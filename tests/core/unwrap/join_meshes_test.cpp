@@ -136,12 +136,12 @@ TEST_CASE("each joined mesh gets its part of the layout, and nothing is welded a
   options.resolution = 256;
   options.orient = true;
   const UnwrapResult whole = unwrapped(joined, options);
-  const std::vector<MeshLayout> layouts = splitLayout(whole, parts);
+  const std::vector<JoinedPart> layouts = splitLayout(whole, parts);
   REQUIRE(layouts.size() == parts.size());
   std::size_t corner = 0, face = 0, triangles = 0, base = 0;
   std::set<std::uint32_t> chartsBefore;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const MeshLayout& layout = layouts[i];
+    const JoinedPart& layout = layouts[i];
     REQUIRE(layout.cornerUv.size() == parts[i]->faceVertices.size());
     std::set<std::uint32_t> used(layout.cornerUv.begin(), layout.cornerUv.end());
     CHECK(used.size() == layout.uv.size() / 2);
@@ -174,8 +174,8 @@ TEST_CASE("a layout turns the faces of its mesh with their texcoords", "[join]")
   options.resolution = 256;
   options.orient = true;
   const UnwrapResult whole = unwrapped(joined, options);
-  MeshLayout layout = splitLayout(whole, {&other, &mesh})[1];
-  const MeshLayout before = layout;
+  JoinedPart layout = splitLayout(whole, {&other, &mesh})[1];
+  const JoinedPart before = layout;
   const PolygonMesh was = mesh;
   turnFaces(mesh, layout);
   CHECK(mesh.faceVertices == straight.faceVertices);

@@ -50,7 +50,7 @@ export const STATUSES: Readonly<Record<StatusName, { readonly exit: number; read
   CannotWrite: { exit: 5, text: 'the output cannot be written' },
   Internal: { exit: 4, text: 'a bug in abflat; please report it with the mesh' },
   AtlasTooSmall: { exit: 4, text: 'the charts do not fit the atlas; the message names a resolution or texel density at which they fit' },
-  NoTexcoords: { exit: 4, text: 'no face of the mesh has texcoords, so it has no layout to pack' },
+  NoTexcoords: { exit: 4, text: 'no face of the mesh has texcoords, so it has no layout' },
   UnsupportedHost: { exit: 4, text: 'WebAssembly or its 128-bit vectors (SIMD) are missing, as in browsers before Chrome 91, Firefox 89 and Safari 16.4, or may not be used here' },
 };
 

@@ -35,7 +35,7 @@ enum class StatusCode : int {
   CannotWrite = 16,  ///< the output cannot be written
   Internal = 17,  ///< a bug in abflat; please report it with the mesh
   AtlasTooSmall = 18,  ///< the charts do not fit the atlas; the message names a resolution or texel density at which they fit
-  NoTexcoords = 19,  ///< no face of the mesh has texcoords, so it has no layout to pack
+  NoTexcoords = 19,  ///< no face of the mesh has texcoords, so it has no layout
 };
 
 constexpr int kExitCodeCount = 6;
@@ -130,7 +130,7 @@ inline const char* statusText(StatusCode code) {
     case StatusCode::AtlasTooSmall:
       return "the charts do not fit the atlas; the message names a resolution or texel density at which they fit";
     case StatusCode::NoTexcoords:
-      return "no face of the mesh has texcoords, so it has no layout to pack";
+      return "no face of the mesh has texcoords, so it has no layout";
   }
   return "";
 }
