@@ -63,7 +63,7 @@ function tents(seed) {
 
 const MESHES = {
   'a torus': torus(24, 12),
-  'a knot': knot(60, 8),
+  'a knot': isInstrumented ? knot(36, 6) : knot(60, 8),
   'polygons with a lifted middle': tents(2),
   'polygons, turned otherwise': tents(7),
   'boxes without common vertices': unwelded(boxArray(2)),

@@ -7,7 +7,7 @@ import { isInstrumented } from '../support/run-abflat.mjs';
 import { unwrapJudged } from '../support/unwrap-judged.mjs';
 
 const FACES = 3000;
-const UNWRAPPED = isInstrumented ? 1500 : FACES;
+const UNWRAPPED = isInstrumented ? 900 : FACES;
 
 /** How many edges have one face, two, three, ...: `[undefined, ones, twos, ...]`. */
 function edgesByFaces({ faces }) {
