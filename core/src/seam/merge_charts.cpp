@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/stable_order.h"
@@ -61,10 +62,10 @@ class Merger {
     std::uint32_t done = 0;
     int fruitless = 0;
     while (listener_.tell()) {
-      CutSurface apart = cutAlong(mesh_, seams_, listener_);
-      const std::vector<RunsTogether> runs = matching(apart);
+      if (!apart_) apart_ = cutAlong(mesh_, seams_, listener_);
+      const std::vector<RunsTogether> runs = matching(*apart_);
       if (runs.empty()) break;
-      const std::uint32_t now = joinWherePossible(runs, std::move(apart));
+      const std::uint32_t now = joinWherePossible(runs);
       fruitless = now == 0 ? fruitless + 1 : 0;
       if (fruitless == mostFruitless && !isHinge_) break;
       done += now;
@@ -219,10 +220,10 @@ class Merger {
                        [&](const SharedRun& run) { return keepsBounds(trial, {run}); });
   }
 
-  std::uint32_t joinWherePossible(const std::vector<RunsTogether>& all, CutSurface apart) {
+  std::uint32_t joinWherePossible(const std::vector<RunsTogether>& all) {
     for (const RunsTogether& together : all)
       for (const SharedRun& run : together) mark(run, false);
-    const MergeTrial trial(work_, all, std::move(apart), listener_);
+    const MergeTrial trial(work_, all, apart_, listener_);
     const SeamMesh& mesh = trial.mesh();
     IdVector<CutChartId, std::uint8_t> isDone(trial.joined().charts.size(), 0);
     std::uint32_t done = 0;
@@ -231,6 +232,7 @@ class Merger {
       for (const SharedRun& run : together) {
         if (isJoined) {
           ++done;
+          apart_.reset();
           isDone[trial.joinedAt(run)] = 1;
         } else {
           mark(run, true);
@@ -254,7 +256,8 @@ class Merger {
   LogScales& u_;
   Seams& seams_;
   const double longest_;
-  bool isHinge_ = false;  ///< joining along parts of runs
+  std::optional<CutSurface> apart_;  ///< along the seams as they are, if that is known
+  bool isHinge_ = false;             ///< joining along parts of runs
   IdVector<SurfaceCorner, std::uint8_t> isRefused_;
   /// By the first half-edge of a run: triangles of both charts, and edges, at the time they did not
   /// fit.

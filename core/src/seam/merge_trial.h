@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "seam/extract_charts.h"
@@ -14,9 +15,10 @@ namespace abflat {
 /// is mostly what is joined.
 class MergeTrial {
  public:
-  /// `all` are no seams any more in work.seams. `apart`: the surface before that.
-  MergeTrial(const SeamWork& work, const std::vector<RunsTogether>& all, CutSurface apart,
-             const Listener& listener);
+  /// `all` are no seams any more in work.seams. `apart`: the surface before that; none afterwards
+  /// if the trial is on the whole surface.
+  MergeTrial(const SeamWork& work, const std::vector<RunsTogether>& all,
+             std::optional<CutSurface>& apart, const Listener& listener);
 
   const SeamMesh& mesh() const { return part_ ? part_->mesh : *whole_; }
   const CutSurface& joined() const { return joined_; }
@@ -35,8 +37,8 @@ class MergeTrial {
  private:
   SurfaceCorner inTrial(SurfaceCorner h) const;
   void tryWhole(const SeamWork& work, CutSurface joined, CutSurface apart);
-  void tryPart(const SeamWork& work, const std::vector<SharedRun>& runs, const CutSurface& joined,
-               const IdVector<CutChartId, std::uint8_t>& isUnion, const Listener& listener);
+  void tryPart(const SeamWork& work, const std::vector<SharedRun>& runs, CutSurface& apart,
+               const IdVector<CutChartId, std::uint8_t>& isJoined, const Listener& listener);
 
   const SeamMesh* whole_;
   std::unique_ptr<SeamPart> part_;  ///< null: the whole
