@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "catch.h"
 #include "seam/log_scale.h"
+#include "seam/merge_trial.h"
 #include "seam/outlines_together.h"
 #include "seam/prediction.h"
 #include "support/cut_meshes.h"
 #include "support/isosurface.h"
+#include "support/meshes.h"
 #include "support/squares.h"
 
 using namespace abflat;
@@ -141,4 +144,39 @@ TEST_CASE("the room of two outlines does not depend on how they lie", "[merge]")
         std::numeric_limits<double>::infinity());
   const Outline wide = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
   CHECK(hullTogether(wide, box(0, 1, 1, 1), pairs(4, 0, 3, 1)) == Approx(3.5 / 3));
+}
+
+TEST_CASE("a trial of a part sees the charts joined, and leaves the whole as it was", "[merge]") {
+  // Cut all around into many charts, of which each trial joins two.
+  const Cuttable c(torus(40, 24));
+  const SeamMesh& m = c.seamMesh;
+  SeamOptions options;
+  options.maxStretch = 1.0005;
+  Seams seams = findSeams(m, Seams(m.twin.size(), 0), options, nullptr);
+  const Seams kept(seams.size(), 0), before = seams;
+  LogScale scale(m, nullptr);
+  LogScales u = scale.solve(cutAlong(m, seams), {});
+  const SeamWork work{m, kept, options, scale, u, seams};
+  const CutSurface whole = cutAlong(m, seams);
+  std::size_t parts = 0;
+  for (const SharedRun& run : sharedRuns(m, kept, whole)) {
+    seams = before;
+    for (const SurfaceCorner h : run.edges) seams[h] = seams[m.twin[h]] = 0;
+    std::optional<CutSurface> apart = whole;
+    const MergeTrial trial(work, {{run}}, apart, {});
+    if (!apart) continue;  // a trial on the whole
+    ++parts;
+    REQUIRE(apart->twin == whole.twin);
+    REQUIRE(apart->vertexOfCorner == whole.vertexOfCorner);
+    const CutSurface joined = cutAlong(m, seams);
+    const CutSurface::Chart& expected = joined.charts[joined.chartOf(run.edges.front())];
+    const CutSurface::Chart& found = trial.joined().charts[trial.joinedAt(run)];
+    REQUIRE(trial.joined().charts.size() == 1);
+    REQUIRE(found.triangles == expected.triangles);
+    REQUIRE(found.vertices == expected.vertices);
+    REQUIRE(found.edges == expected.edges);
+    REQUIRE(found.loops == expected.loops);
+    REQUIRE(trial.apart().charts.size() == 2);
+  }
+  CHECK(parts > 20);
 }
