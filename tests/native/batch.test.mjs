@@ -306,6 +306,7 @@ const REFUSED = [
     2,
     /b\.off and b\.stl would both be out\/b\.glb/,
   ],
+  [['in', 'also'], 2, /also\/a\.obj and in\/a\.obj would both be out\/a\.obj\. Rename one/],
   [['.', '--out', '.'], 2, /lies where the results go/],
   [['a.obj', '--padding', '-1'], 2, /--padding: must be a number/],
   [['a.obj', '--report', 'r.json'], 2, /--report: batch names the files of each mesh itself/],
@@ -328,6 +329,8 @@ for (const [args, code, sentence] of REFUSED)
   test(`"abflat batch ${args.join(' ')}" is refused`, async (t) => {
     const { at, batch } = inFolder(t, {
       'a.obj': CUBE,
+      'in/a.obj': CUBE,
+      'also/a.obj': CUBE,
       'b.stl': 'solid\nendsolid\n',
       'b.off': 'OFF\n',
       'empty/notes.txt': '',

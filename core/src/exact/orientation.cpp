@@ -1,9 +1,10 @@
 #include "exact/orientation.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "exact/exact_sum.h"
 
@@ -31,8 +32,10 @@ Product productOf(double x, double y) {
 /// sign.
 int signOfSum(std::array<Product, 6> products) {
   constexpr int kGap = 120;
-  std::sort(products.begin(), products.end(),
-            [](const Product& a, const Product& b) { return a.exponent > b.exponent; });
+  // The largest first. There are few, and std::sort would be larger than all else here.
+  for (std::size_t i = 1; i < products.size(); ++i)
+    for (std::size_t k = i; k > 0 && products[k - 1].exponent < products[k].exponent; --k)
+      std::swap(products[k - 1], products[k]);
   const auto* end = products.data() + products.size();
   for (const Product* next = products.data(); next != end;) {
     ExactSum<13> sum;

@@ -106,6 +106,7 @@ class TaskPlan {
           !s.ok())
         return s;
     }
+    if (Status s = takeName(task, first.path); !s.ok()) return s;
     const Result<std::string> hash =
         optionsHash(task.isAtlas ? std::vector<std::string>{"atlas", "parts"}
                                  : wordsFor(endingOf(first.name), endings),
@@ -117,7 +118,7 @@ class TaskPlan {
     return task;
   }
 
-  Status checkTogether(const Task& task, const std::vector<BatchInput>& inputs) {
+  Status checkTogether(const Task& task, const std::vector<BatchInput>& inputs) const {
     if (task.isAtlas && command_.run != "unwrap")
       return {StatusCode::InvalidOption, "only unwrap lays several meshes in one atlas, not " +
                                              command_.run + ". Leave out --atlas"};
@@ -125,10 +126,15 @@ class TaskPlan {
       if (!hasSameOptions(input, inputs.front()))
         return {StatusCode::InvalidOption, inputs.front().path + " and " + input.path +
                                                " share an atlas, but have different options"};
-    const auto [other, isFree] = names_.try_emplace(task.name, inputs.front().path);
+    return {};
+  }
+
+  /// Meshes of one name would have one place, so only an atlas can have that of a mesh.
+  Status takeName(const Task& task, const std::string& path) {
+    const auto [other, isFree] = names_.try_emplace(task.name, path);
     if (isFree) return {};
     return {StatusCode::InvalidOption, "an atlas and the mesh " +
-                                           (task.isAtlas ? other->second : inputs.front().path) +
+                                           (task.isAtlas ? other->second : path) +
                                            " are both named " + task.name + ". Rename one"};
   }
 
