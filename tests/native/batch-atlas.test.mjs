@@ -3,13 +3,12 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { filesBelow, hasResults, lasting, manifestOf } from '../support/batches.mjs';
+import { filesBelow, hasResults, inFolder, manifestOf } from '../support/batches.mjs';
 import { cutFaces, judgeFiles, readAtlas } from '../support/exact-atlas.mjs';
 import { runAbflat } from '../support/run-abflat.mjs';
 import { densitiesOf } from '../support/scene-atlas.mjs';
 import { CUBE, fan, grid, TETRAHEDRON } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
-import { tempFolder } from '../support/temp-folder.mjs';
 
 const scaled = ({ positions, faces }, by) => ({
   positions: positions.map((p) => p.map((x) => x * by)),
@@ -25,13 +24,6 @@ const PROPS = {
   'in/props/deep/fan.obj': fan(7),
   'in/lone.obj': CUBE,
 };
-
-function inFolder(t, files) {
-  const at = tempFolder(t);
-  for (const [name, text] of Object.entries(files)) lasting(at(name), text);
-  const batch = (...args) => runAbflat(['batch', ...args], { cwd: at() });
-  return { at, batch };
-}
 
 /** Triangles of files as scene-atlas.mjs takes them: each file is an object. */
 const trianglesOf = (paths) =>
@@ -195,6 +187,24 @@ test('faces are turned alike, and sets chosen, in each file of an atlas', async 
   assertShared(at, lineNamed(at('out'), 'atlas'), 1024);
   assert.equal((await batch('in', '--out', 'glb', '--atlas', 'folder', ...glb)).code, 0);
   assert.deepEqual(hasResults(at('glb')), ['a.glb', 'b.glb']);
+});
+
+test('texcoords are such as every file of an atlas can hold', async (t) => {
+  const { at, batch } = inFolder(t, PROPS);
+  await runAbflat(['unwrap', 'in/props/ring.obj', '-o', 'in/props/ring.ply'], { cwd: at() });
+  rmSync(at('in/props/ring.obj'));
+  rmSync(at('in/props/pyramid.off'));
+  assert.equal((await batch('in/props', '--out', 'out', '--atlas', 'folder')).code, 0);
+  assert.deepEqual(hasResults(at('out')), [
+    'cube.obj',
+    'deep/fan.obj',
+    'deep/wave.obj',
+    'ring.ply',
+  ]);
+  assertShared(at, lineNamed(at('out'), 'atlas'), 1024);
+  const uvOf = (path) => readAtlas(at(path)).faces.flatMap((face) => face.flatMap(({ uv }) => uv));
+  assert.ok(uvOf('out/cube.obj').every((x) => Math.fround(x) === x));
+  assert.ok(uvOf('out/deep/wave.obj').some((x) => Math.fround(x) !== x));
 });
 
 for (const [args, list, code, sentence] of [

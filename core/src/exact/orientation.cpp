@@ -27,12 +27,11 @@ Product productOf(double x, double y) {
   return out;
 }
 
-/// Whatever the exponents are. Products are added up in runs of similar ones, the largest first:
-/// unless their sum is zero, those after a gap of more digits than a product has cannot change its
-/// sign.
+/// Products are added up in runs of similar exponents, the largest first: unless the sum of a run
+/// is zero, those after a gap of more digits than a product has cannot change its sign.
 int signOfSum(std::array<Product, 6> products) {
   constexpr int kGap = 120;
-  // The largest first. There are few, and std::sort would be larger than all else here.
+  // There are few, and std::sort would take more of the module than all else here.
   for (std::size_t i = 1; i < products.size(); ++i)
     for (std::size_t k = i; k > 0 && products[k - 1].exponent < products[k].exponent; --k)
       std::swap(products[k - 1], products[k]);
@@ -50,6 +49,7 @@ int signOfSum(std::array<Product, 6> products) {
   return 0;
 }
 
+/// Whatever the exponents are.
 int orientationOfAny(const double* a, const double* b, const double* c) {
   return signOfSum({productOf(a[0], b[1]), productOf(-a[1], b[0]), productOf(b[0], c[1]),
                     productOf(-b[1], c[0]), productOf(c[0], a[1]), productOf(-c[1], a[0])});

@@ -150,11 +150,11 @@ IndexList takeBelow(const IndexList& values, std::size_t& next, std::size_t begi
   return out;
 }
 
-/// Texcoords are numbered by first use, since those of one mesh need not lie side by side.
+/// Texcoords keep their order, but are numbered anew: those of one mesh need not lie side by side.
 void takeTexcoords(const UnwrapResult& joined, std::size_t begin, std::size_t end,
                    JoinedPart& out) {
-  std::vector<std::uint32_t> used(joined.cornerUv.begin() + static_cast<std::ptrdiff_t>(begin),
-                                  joined.cornerUv.begin() + static_cast<std::ptrdiff_t>(end));
+  IndexList used(joined.cornerUv.begin() + static_cast<std::ptrdiff_t>(begin),
+                 joined.cornerUv.begin() + static_cast<std::ptrdiff_t>(end));
   out.cornerUv = used;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -192,7 +192,7 @@ std::vector<JoinedPart> splitLayout(const UnwrapResult& joined,
 void turnFaces(PolygonMesh& mesh, JoinedPart& layout) {
   if (layout.turnedFaces.empty()) return;
   turnFaces(layout.turnedFaces, mesh);
-  const std::vector<std::uint32_t> order = turnedCorners(mesh, layout.turnedFaces);
+  const IndexList order = turnedCorners(mesh, layout.turnedFaces);
   layout.cornerUv = reordered(layout.cornerUv, order);
   for (std::uint32_t& corner : layout.triangleCorners) corner = order[corner];
 }

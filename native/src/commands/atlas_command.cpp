@@ -82,14 +82,13 @@ class AtlasRun {
     return out;
   }
 
-  /// All texcoords are those that the coarsest of the files can hold.
+  /// All texcoords are such as the coarsest of the files can hold.
   UnwrapOptions options() const {
     UnwrapOptions out;
     static_cast<UnwrapOptionValues&>(out) = command_.options;
     out.seams = command_.seams;
     for (const AtlasPart& part : parts_)
-      if (const FileFormat format = writtenFormat(part.output); format == FileFormat::Gltf)
-        out.precision = precisionOf(format);
+      out.precision = std::max(out.precision, precisionOf(writtenFormat(part.output)));
     return out;
   }
 

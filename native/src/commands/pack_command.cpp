@@ -1,6 +1,6 @@
-#include "abflat/draw.h"
 #include "abflat/pack_layout.h"
 #include "commands/commands.h"
+#include "commands/layout_picture.h"
 #include "commands/mesh_run.h"
 #include "files/paths.h"
 #include "terminal/texts.h"
@@ -71,13 +71,10 @@ struct PackJob {
 
   static std::vector<ExtraFile<PackLayoutResult>> extraFiles(const PackCommand& command) {
     if (command.layout.empty()) return {};
-    const bool isSvg = endingOf(command.layout) == ".svg";
-    return {
-        {command.layout,
-         [isSvg](const PolygonMesh& mesh, const PackLayoutResult& result) -> Result<std::string> {
-           const UnwrapResult atlas = drawn(mesh, result);
-           return isSvg ? atlasSvg(mesh, atlas) : atlasPng(mesh, atlas);
-         }}};
+    return {{command.layout,
+             [path = command.layout](const PolygonMesh& mesh, const PackLayoutResult& result) {
+               return layoutPicture(path, 0, mesh, drawn(mesh, result));
+             }}};
   }
 
   static std::string json(const PackReport& report) { return packReportJson(report); }

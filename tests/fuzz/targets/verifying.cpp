@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "abflat/compare_meshes.h"
+#include "abflat/pack_layout.h"
 #include "abflat/verify.h"
 #include "atlas_oracle.h"
 #include "exact_turn.h"
@@ -15,8 +16,6 @@
 
 namespace abflat::fuzz {
 namespace {
-
-constexpr std::uint32_t kNowhere = 0xffffffffu;  // the island of a face without texcoords
 
 bool has(std::uint8_t faults, UvFault fault) {
   return (faults & static_cast<std::uint8_t>(fault)) != 0;
@@ -58,7 +57,7 @@ std::vector<std::size_t> mapped(const JudgedMesh& judged) {
   const std::vector<std::uint32_t> face = facesOfTriangles(judged);
   std::vector<std::size_t> out;
   for (std::size_t t = 0; t < judged.count(); ++t)
-    if (judged.result.islandOfFace[face[t]] != kNowhere) out.push_back(t);
+    if (judged.result.islandOfFace[face[t]] != kNoIsland) out.push_back(t);
   return out;
 }
 
