@@ -21,8 +21,8 @@ const RECTANGLES = [
 
 async function openTab(page) {
   if (await page.isHidden('#details')) await page.click('#details-toggle');
-  await page.locator('#verify').waitFor({ state: 'attached' });
   await page.click('#tab-verify');
+  await page.locator('#verify').waitFor();
 }
 
 const verdict = (page) => textOf(page, '.verify-verdict');

@@ -46,9 +46,14 @@ export const verifyTab = () => loadPart(import('./details/verify-tab'));
 
 /** The last result: its layout, its numbers and its details. */
 export class ResultPanels {
-  private readonly details = new Details((tab) => {
-    if (tab === 'methods') this.leaveMethod();
-  });
+  private readonly details = new Details(
+    (tab) => {
+      if (tab === 'methods') this.leaveMethod();
+    },
+    (tab) => {
+      if (tab === 'verify') void this.offerVerify();
+    },
+  );
   private readonly metrics: MetricsPanel;
   private readonly staleMark: StaleMark;
   private readonly copyReport: CopyReport;
@@ -57,7 +62,7 @@ export class ResultPanels {
   private readonly islands: IslandsTab;
   /** Loaded with the first mesh that has objects. */
   private objects: ObjectsTab | null = null;
-  /** Loaded with the first layout that it can judge. */
+  /** Loaded when its tab is first chosen. */
   private verify: VerifyTab | null = null;
   private readonly sweep: SweepTab;
   private readonly methods: MethodsTab;
@@ -221,7 +226,7 @@ export class ResultPanels {
 
   private showDetails(outcome: Outcome, { areas, chartColors }: FlatDrawing): void {
     const { bound, locks } = this.controls;
-    if (outcome.mode !== 'flatten') void this.offerVerify();
+    if (this.verify && outcome.mode !== 'flatten') void this.offerVerify();
     if (outcome.mode === 'unwrap') {
       locks.show(outcome);
       this.charts.show(outcome, chartColors);

@@ -32,8 +32,11 @@ export class Details {
   private offered = TABS_OF.flatten;
   private readonly tabs = TABS.map((tab) => element(`tab-${tab}`, HTMLButtonElement));
 
-  /** `left` is called when a tab is no longer visible. */
-  constructor(private readonly left: (tab: Tab) => void) {
+  /** `left` is called when a tab is no longer visible, `chosen` when another one is. */
+  constructor(
+    private readonly left: (tab: Tab) => void,
+    private readonly chosen: (tab: Tab) => void,
+  ) {
     this.toggle.addEventListener('click', () => (this.isOpen ? this.close() : this.open()));
     element('details-close', HTMLButtonElement).addEventListener('click', () => {
       this.close();
@@ -101,7 +104,9 @@ export class Details {
       this.tabs[i].tabIndex = each === tab ? 0 : -1;
       element(`panel-${each}`, HTMLElement).hidden = each !== tab;
     });
-    if (before !== tab) this.left(before);
+    if (before === tab) return;
+    this.left(before);
+    this.chosen(tab);
   }
 
   private onKey(event: KeyboardEvent, i: number): void {
