@@ -1,8 +1,9 @@
 option(ABFLAT_FOLDER_BY_FOLDER "Compile the sources of a folder as one: three times as fast from scratch" ON)
 
 # Has the sources of a target in one folder compiled as one: what they include is read once. So a name
-# without linkage may be used once in a folder.
+# without linkage may be used once in a folder. SMALL: folders that are compiled as one with each other.
 function(abflat_folder_by_folder target)
+  cmake_parse_arguments(ARG "" "SMALL" "" ${ARGN})
   if(NOT ABFLAT_FOLDER_BY_FOLDER)
     return()
   endif()
@@ -12,6 +13,9 @@ function(abflat_folder_by_folder target)
       get_filename_component(folder ${source} ABSOLUTE)
       get_filename_component(folder ${folder} DIRECTORY)
       file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+      if(ARG_SMALL AND folder MATCHES "/(${ARG_SMALL})$")
+        set(folder small)
+      endif()
       string(REPLACE "/" "_" folder ${folder})
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}")
     endif()

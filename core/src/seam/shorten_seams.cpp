@@ -95,13 +95,15 @@ class Shortener {
       }
     u_ = std::move(u);
     prediction_ = std::move(told);
-    if (std::find(isRefused.begin(), isRefused.end(), 1) == isRefused.end()) {
-      surface_ = std::move(next);
-      return true;
-    }
-    // The factor must match the surface as it is now.
-    surface_ = cutAlong(mesh_, seams_, listener_);
-    return !work_.scale.solve(surface_, {}).empty();
+    isSolved_ = std::find(isRefused.begin(), isRefused.end(), 1) == isRefused.end();
+    surface_ = isSolved_ ? std::move(next) : cutAlong(mesh_, seams_, listener_);
+    return true;
+  }
+
+  /// The factor has to match the surface as it is now.
+  bool solveAsItIs() {
+    isSolved_ = isSolved_ || !work_.scale.solve(surface_, {}).empty();
+    return isSolved_;
   }
 
   std::vector<Choice> choose() {
@@ -111,7 +113,8 @@ class Shortener {
       p.isDone = p.isDone || !surface_.charts[c].isDisk() || !(slack(c) > kLittle * most());
       isWanted.push_back(!p.isDone);
     }
-    if (std::find(isWanted.begin(), isWanted.end(), 1) == isWanted.end()) return {};
+    if (std::find(isWanted.begin(), isWanted.end(), 1) == isWanted.end() || !solveAsItIs())
+      return {};
     IdVector<CutChartId, std::vector<Choice>> of(progress_.size());
     for (SeamTip& tip : findTips({mesh_, seams_, work_.kept, u_, outgoing_}, surface_, prediction_,
                                  isWanted, work_.scale)) {
@@ -244,6 +247,7 @@ class Shortener {
   Seams& seams_;
   CutSurface surface_;
   Prediction prediction_;
+  bool isSolved_ = true;  ///< for the surface
   IdVector<CutChartId, Progress> progress_;
   /// For the vertex that a tip ends at, how many edges may be taken back, as far as known.
   std::map<SurfaceVertex, std::size_t> limit_;
