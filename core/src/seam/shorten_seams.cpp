@@ -82,17 +82,10 @@ class Shortener {
 
   /// The charts that are not done, with their slits closed.
   SeamPart rest() const {
-    Seams between = seams_;
-    for (const SurfaceCorner h : between.ids()) {
-      const SurfaceCorner o = mesh_.twin[h];
-      if (o.exists() && surface_.chartOf(h) == surface_.chartOf(o)) between[h] = 0;
-    }
-    const CutSurface apart = cutAlong(mesh_, between, listener_);
-    IdVector<CutChartId, std::uint8_t> isWanted(apart.charts.size(), 0);
+    std::vector<SurfaceTriangle> charts;
     for (const CutChartId c : progress_.ids())
-      if (!progress_[c].isDone)
-        isWanted[apart.chartOfTriangle[surface_.charts[c].firstTriangle]] = 1;
-    return extractCharts(mesh_, apart, isWanted, listener_);
+      if (!progress_[c].isDone) charts.push_back(surface_.charts[c].firstTriangle);
+    return extractClosed(mesh_, seams_, {}, charts);
   }
 
   void shortenRestFor(std::size_t rounds) {
