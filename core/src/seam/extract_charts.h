@@ -78,9 +78,4 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& surface,
                        const IdVector<CutChartId, std::uint8_t>& isWanted,
                        const Listener& listener = {});
 
-/// The charts that these triangles are in, with their slits closed, but for those that are kept.
-/// Takes time for these charts alone. `seams` are marked on both sides, `kept` may end early.
-SeamPart extractClosed(const SeamMesh& mesh, const Seams& seams, const Seams& kept,
-                       const std::vector<SurfaceTriangle>& ofCharts);
-
 }  // namespace abflat

@@ -1,5 +1,6 @@
 #include "seam/find_in_rounds.h"
 
+#include <functional>
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -17,20 +18,18 @@ namespace abflat {
 namespace {
 
 /// Does one step on what has seams.
-template <class Step>
-void improve(const SeamMesh& mesh, const SeamOptions& options, JoinedSeams& joined, Step step) {
+void improve(const SeamMesh& mesh, const SeamOptions& options, JoinedSeams& joined,
+             const std::function<void(const SeamWork&)>& step) {
   if (!joined.part) {
     step(SeamWork{mesh, joined.given, options, *joined.solver, joined.scale, joined.seams});
     return;
   }
   const SeamPart& part = *joined.part;
   if (part.mesh.triangleCount() == 0) return;
-  SeamOptions own = options;
-  own.mirror = options.mirror.ofPart(part);
   const Seams given = part.ofCorners(joined.given);
   Seams seams = part.ofCorners(joined.seams);
   LogScales scale = part.ofVertices(joined.scale);
-  step(SeamWork{part.mesh, given, own, *joined.solver, scale, seams, mesh.totalArea()});
+  step(SeamWork{part.mesh, given, options, *joined.solver, scale, seams, mesh.totalArea()});
   part.putInto(joined.seams, seams);
   part.putInto(joined.scale, scale);
 }
@@ -62,7 +61,8 @@ JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& opt
   out.steps.handleLength = begun.cut.length;
   watch.lap();
   if (!options.isAuto || !options.listener.tell()) return out;
-  out.part = componentsWithSeams(mesh, out.seams, options.listener);
+  // A mirror is that of the whole.
+  if (!options.mirror) out.part = componentsWithSeams(mesh, out.seams, options.listener);
   if (out.part)
     out.solver =
         std::make_unique<LogScale>(out.part->mesh, options.pool, out.part->ofVertices(out.ranks));

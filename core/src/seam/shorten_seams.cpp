@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/stable_order.h"
-#include "seam/extract_charts.h"
+#include "seam/closed_charts.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/seam_tips.h"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "refine/refine.h"
+#include "seam/closed_charts.h"
 #include "seam/prediction.h"
 #include "unwrap/find_within.h"
 #include "unwrap/seam_options.h"

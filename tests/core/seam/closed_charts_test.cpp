@@ -1,4 +1,4 @@
-#include "seam/extract_charts.h"
+#include "seam/closed_charts.h"
 
 #include "catch.h"
 #include "seam/find_seams.h"
