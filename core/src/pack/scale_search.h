@@ -7,8 +7,7 @@
 namespace abflat {
 
 struct ScaleOptions {
-  double work = 0;    ///< see PackOptions
-  double former = 0;  ///< see PackOptions; a scale
+  double work = 0;  ///< see PackOptions
   ThreadPool* pool = nullptr;
   Listener listener;
 };

@@ -123,10 +123,9 @@ void fitAll(const PackedCharts& packed, const UnwrapOptions& options, Numbers nu
 }  // namespace
 
 Status packAll(const PackedCharts& packed, const UnwrapOptions& options, const Listener& listener,
-               AtlasReport& atlas, double formerDensity) {
+               AtlasReport& atlas) {
   PackOptions how = packOptionsOf(options);
   how.unit = packed.unit;
-  how.formerDensity = formerDensity;
   how.pool = &packed.pool;
   how.listener = listener;
   std::vector<PackShape> shapes = shapesOf(packed);
