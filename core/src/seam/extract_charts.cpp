@@ -13,6 +13,10 @@ void reserve(SeamPart& part, std::size_t triangles, std::size_t vertices) {
   part.wholeHalfEdge.reserve(3 * triangles);
   m.vertexOfCorner.reserve(3 * triangles);
   m.twin.reserve(3 * triangles);
+  m.angle.reserve(3 * triangles);
+  m.length.reserve(3 * triangles);
+  m.cost.reserve(3 * triangles);
+  m.weight.reserve(3 * triangles);
 }
 
 }  // namespace
@@ -40,10 +44,6 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     if (!mesh.excess.empty()) m.excess.push_back(mesh.excess[f]);
     for (const SurfaceCorner h : cornersOf(f)) inPart[h] = part.wholeHalfEdge.push_back(h);
   }
-  m.angle = part.ofCorners(mesh.angle);
-  m.length = part.ofCorners(mesh.length);
-  m.cost = part.ofCorners(mesh.cost);
-  m.weight = part.ofCorners(mesh.weight);
   for (const SurfaceCorner h : part.wholeHalfEdge) {
     listener.beat();
     const OpenVertex v = s.vertexOfCorner[h];
@@ -57,7 +57,11 @@ SeamPart extractCharts(const SeamMesh& mesh, const CutSurface& s,
     }
     m.vertexOfCorner.push_back(vertex[v]);
     m.twin.push_back(s.twin[h].exists() ? inPart[s.twin[h]] : SurfaceCorner());
+    m.angle.push_back(mesh.angle[h]);
+    m.length.push_back(mesh.length[h]);
+    m.cost.push_back(mesh.cost[h]);
     if (!mesh.dearness.empty()) m.dearness.push_back(mesh.dearnessAt(h));
+    m.weight.push_back(mesh.weight[h]);
     m.vertexArea[vertex[v]] += mesh.area[triangleOf(h)] / 3;
     m.angleSum[vertex[v]] += mesh.angle[h];
   }
