@@ -12,9 +12,15 @@ import { missingTools, PLATFORMS } from './lib/platforms.mjs';
 import { findChrome, findClang, findPython } from './lib/requirements.mjs';
 import { catchJobs, fuzzJobs, NOT_QUALITY, nodeJobs } from './lib/suites.mjs';
 
-/** A finding ends the program in a way that cannot be mistaken for a documented exit code. */
+/**
+ * A finding ends the program in a way that cannot be mistaken for a documented exit code. By default
+ * 256 MB of freed memory are kept back, and 30 callers of each allocation: a third of the time.
+ */
 const SANITIZER_ENV = {
-  ASAN_OPTIONS: 'abort_on_error=1:detect_leaks=1:strict_string_checks=1',
+  ASAN_OPTIONS: [
+    ...['abort_on_error=1', 'detect_leaks=1', 'strict_string_checks=1'],
+    ...['quarantine_size_mb=64', 'malloc_context_size=10'],
+  ].join(':'),
   UBSAN_OPTIONS: 'abort_on_error=1:print_stacktrace=1',
   ABFLAT_BIN: join(BUILD, 'sanitize/abflat'),
   ABFLAT_INSTRUMENTED: '1',

@@ -28,24 +28,37 @@ function knownNames({ text, headers }) {
   return names;
 }
 
+/** What of `sources` is compiled as one already, and with the same flags. */
+function unitsOf(sources) {
+  const units = new Map();
+  for (const source of sources) {
+    const key = `${source.unit ?? source.file} ${source.flags}`;
+    units.set(key, [...(units.get(key) ?? []), source]);
+  }
+  return [...units.values()];
+}
+
+const union = (sets) => new Set(sets.flatMap((set) => [...set]));
+
 /**
- * Splits `sources` (`{ text, headers, flags }`, where `headers` are the texts of all headers) into
- * lists of at most `most`. All sources of a list have the same flags, and none knows a name that is
- * local to another.
+ * Splits `sources` (`{ file, unit, text, headers, flags }`, where `headers` are the texts of all
+ * headers, and `unit` names what is compiled as one, if it is) into lists of about `most`. All sources
+ * of a list have the same flags, and no unit knows a name that is local to another.
  */
 export function batches(sources, most) {
   const found = [];
-  for (const source of sources) {
-    const names = ownNames(source.text);
-    const words = knownNames(source);
-    const hasRoom = ({ flags, list }) => flags === source.flags && list.length < most;
+  for (const list of unitsOf(sources)) {
+    const { flags } = list[0];
+    const names = union(list.map(({ text }) => ownNames(text)));
+    const words = union(list.map(knownNames));
+    const hasRoom = (batch) => batch.flags === flags && batch.list.length + list.length <= most;
     const agrees = (batch) => !share(names, batch.words) && !share(batch.names, words);
     let batch = found.find((each) => hasRoom(each) && agrees(each));
     if (!batch) {
-      batch = { flags: source.flags, list: [], names: new Set(), words: new Set() };
+      batch = { flags, list: [], names: new Set(), words: new Set() };
       found.push(batch);
     }
-    batch.list.push(source);
+    batch.list.push(...list);
     for (const name of names) batch.names.add(name);
     for (const word of words) batch.words.add(word);
   }

@@ -10,7 +10,7 @@ import { run } from './run.mjs';
 import { fingerprint, stamp } from './stamp.mjs';
 
 const FOLDER = join(BUILD, 'tidy');
-const MOST = 12;
+const MOST = 48;
 /** The analyzer recognizes this name and checks included files like the file itself. */
 const BATCH = 'UnifiedSource.cpp';
 /** A batch includes sources, which this check would warn about. */
@@ -27,6 +27,12 @@ const analyzerArgs = (nodes) =>
     (arg) => `--extra-arg=${arg}`,
   );
 
+/** Nothing is compiled: sources that differ in this alone are read together. */
+const OPTIMIZING = / -O\w+/g;
+
+/** In large pages of memory it takes a seventh less time; libraries that know none ignore this. */
+const HUGE_PAGES = { GLIBC_TUNABLES: 'glibc.malloc.hugetlb=1' };
+
 const escaped = (path) => path.replaceAll(/[.+*?^$()[\]{}|\\]/g, '\\$&');
 
 /** What is compiled for each source: itself, or a file of CMake's that includes those of a folder. */
@@ -41,15 +47,18 @@ function sources(database, nodes) {
   const common = `${nodes} ${fingerprint([join(ROOT, '.clang-tidy')])}`;
   const compiled = JSON.parse(readFileSync(join(database, 'compile_commands.json'), 'utf8'));
   const entries = new Map(
-    compiled.flatMap((entry) => sourcesOf(entry.file).map((file) => [file, { ...entry, file }])),
+    compiled.flatMap((entry) =>
+      sourcesOf(entry.file).map((file) => [file, { ...entry, file, unit: entry.file }]),
+    ),
   );
   return [...entries.values()]
     .filter(({ file }) => /^(core|native)\//.test(relative(ROOT, file)) && existsSync(file))
-    .map(({ file, command, directory }) => {
-      const flags = command.slice(0, command.lastIndexOf(' -o '));
+    .map(({ file, unit, command, directory }) => {
+      const flags = command.slice(0, command.lastIndexOf(' -o ')).replaceAll(OPTIMIZING, '');
       const files = filesOf(file);
       return {
         file,
+        unit,
         text: readFileSync(file, 'utf8'),
         headers: files.filter((each) => each !== file).map((each) => readFileSync(each, 'utf8')),
         flags,
@@ -66,7 +75,10 @@ async function clangTidy(file, { flags, directory }, folder, args) {
   const database = JSON.stringify([{ directory, command, file }]);
   writeFileSync(join(folder, 'compile_commands.json'), database);
   const others = '--extra-arg=-Wno-unknown-warning-option'; // those of g++
-  return run('clang-tidy', ['-p', folder, '--quiet', others, ...args, file], { capture: true });
+  return run('clang-tidy', ['-p', folder, '--quiet', others, ...args, file], {
+    capture: true,
+    env: HUGE_PAGES,
+  });
 }
 
 /**

@@ -71,6 +71,12 @@ test('a batch has the flags of all its sources, and no name twice', () => {
     ['f.cpp'],
   ]);
   assert.deepEqual(names(batches([c, d, e], 2)), [['c.cpp', 'd.cpp'], ['e.cpp']]);
+  // These are compiled as one.
+  const together = [a, c, d].map((each) => ({ ...each, unit: 'unity.cxx' }));
+  assert.deepEqual(names(batches([...together, b, e], 4)), [
+    ['a.cpp', 'c.cpp', 'd.cpp', 'e.cpp'],
+    ['b.cpp'],
+  ]);
 });
 
 test('a source is made of the headers that it includes, directly or not', () => {

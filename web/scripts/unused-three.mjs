@@ -84,3 +84,14 @@ export const UNUSED_FUNCTIONS = [
   'updateMultisampleRenderTarget',
   'uploadCubeTexture',
 ];
+
+/** Kinds of things that the renderer asks for, and that the page never makes: an object's `isSprite` is false. */
+export const NEVER = [
+  ...['ArrayCamera', 'BatchedMesh', 'InstancedMesh', 'LineLoop', 'LOD', 'Light', 'SkinnedMesh'],
+  ...['Sprite', 'CompressedArrayTexture', 'CompressedTexture', 'CubeTexture', 'Data3DTexture'],
+  ...['DepthTexture', 'ExternalTexture', 'HTMLTexture', 'PMREMTexture', 'VideoTexture'],
+  ...['WebGL3DRenderTarget', 'WebGLArrayRenderTarget', 'WebGLCubeRenderTarget', 'XRRenderTarget'],
+  ...['MeshBasicMaterial', 'MeshLambertMaterial', 'MeshPhongMaterial', 'MeshPhysicalMaterial'],
+  ...['MeshStandardMaterial', 'MeshToonMaterial', 'NodeMaterial', 'ShadowMaterial'],
+  'SpriteMaterial',
+];

@@ -1,6 +1,6 @@
 // Vite plugin: leaves out what the page does not use of three.js. The renderer refers to all of it, so bundlers keep it.
 
-import { UNUSED, UNUSED_FUNCTIONS } from './unused-three.mjs';
+import { NEVER, UNUSED, UNUSED_FUNCTIONS } from './unused-three.mjs';
 
 /** What the page's shaders and LineMaterial include, and what the renderer adds to them. Including any other one is an error in three.js. */
 const USED = new Set([
@@ -88,6 +88,20 @@ function withoutFunctions(source) {
   return text;
 }
 
+/** The minifier leaves out what is done if something is one of those. */
+function withoutKinds(source) {
+  let text = source;
+  for (const name of NEVER) {
+    const asked = new RegExp(
+      `(?<![\\w$.\\])])[\\w$.]+(?:\\[ \\w+ \\])?\\.is${name}\\b(?! = )`,
+      'g',
+    );
+    if (!asked.test(text)) throw changed();
+    text = text.replaceAll(asked, 'false');
+  }
+  return text;
+}
+
 function withoutMethods(source, id) {
   const text = source.replace(UNUSED_METHODS, '');
   if (!CORE.test(id)) return text;
@@ -103,7 +117,7 @@ export const usedThree = () => ({
   transform: (source, id) => {
     if (!THREE.test(id)) return undefined;
     const code = RENDERER.test(id)
-      ? withoutFunctions(withoutClasses(withoutMaterials(withoutShaders(source))))
+      ? withoutKinds(withoutFunctions(withoutClasses(withoutMaterials(withoutShaders(source)))))
       : source;
     return { code: withoutMethods(code, id), map: null };
   },

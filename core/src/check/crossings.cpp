@@ -1,6 +1,7 @@
 #include "check/crossings.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -52,15 +53,83 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<double>& points) {
   return order;
 }
 
+/// Tests pairs of edges of a closed polygon, and counts those that meet.
+class PairTest {
+ public:
+  PairTest(const std::vector<double>& points, std::size_t most)
+      : points_(points), most_(most), n_(static_cast<std::uint32_t>(points.size() / 2)) {}
+
+  std::uint32_t size() const { return n_; }
+  bool isFull() const { return found_.count == most_; }
+  void clear() { found_ = {}; }
+  /// What was found, in order.
+  Crossings take() {
+    std::sort(found_.first.begin(), found_.first.end());
+    return std::move(found_);
+  }
+
+  EdgeBox boxOf(std::uint32_t edge) const {
+    const double *from = point(edge), *to = point(edge + 1);
+    EdgeBox box;
+    for (int d = 0; d < 2; ++d) {
+      box.lo[d] = std::min(from[d], to[d]);
+      box.hi[d] = std::max(from[d], to[d]);
+    }
+    return box;
+  }
+
+  /// With i < j.
+  void test(std::uint32_t i, std::uint32_t j) {
+    bool meet;
+    if (j == i + 1)
+      meet = foldsBack(i);
+    else if (i == 0 && j == n_ - 1)
+      meet = foldsBack(j);
+    else
+      meet = segmentsMeet(point(i), point(i + 1), point(j), point(j + 1));
+    if (!meet) return;
+    ++found_.count;
+    if (found_.first.size() < kKept) found_.first.push_back({i, j});
+  }
+
+ private:
+  const double* point(std::uint32_t i) const { return &points_[2 * (i == n_ ? 0 : i)]; }
+
+  /// Whether edge i + 1 folds back onto edge i.
+  bool foldsBack(std::uint32_t i) const {
+    const double *a = point(i), *b = point(i + 1), *c = point(i + 1 == n_ ? 1 : i + 2);
+    if (orientation(a, b, c) != 0) return false;
+    return isBetween(a, b, c) || isBetween(b, c, a);
+  }
+
+  static constexpr std::size_t kKept = 4096;
+
+  const std::vector<double>& points_;
+  const std::size_t most_;
+  const std::uint32_t n_;
+  Crossings found_;
+};
+
+/// The most edges of which all pairs are tested, which a tree would take longer to sort.
+constexpr std::uint32_t kFewEdges = 32;
+
+Crossings amongFew(const std::vector<double>& points, std::size_t most) {
+  PairTest pairs(points, most);
+  std::array<EdgeBox, kFewEdges> boxes;
+  for (std::uint32_t j = 0; j < pairs.size(); ++j) {
+    boxes[j] = pairs.boxOf(j);
+    for (std::uint32_t i = 0; i < j && !pairs.isFull(); ++i)
+      if (!disjoint(boxes[i], boxes[j])) pairs.test(i, j);
+  }
+  return pairs.take();
+}
+
 /// Bounding boxes of runs of edges in spatial order, so that boxes overlap little however coiled
 /// the curve is.
 class EdgeTree {
  public:
   EdgeTree(const std::vector<double>& points, std::size_t most)
-      : points_(points),
-        order_(spatialOrder(points)),
-        most_(most),
-        n_(static_cast<std::uint32_t>(order_.size())) {
+      : points_(points), order_(spatialOrder(points)), pairs_(points, most), n_(pairs_.size()) {
     while (leaves_ < n_) leaves_ *= 2;
     boxes_.resize(2 * static_cast<std::size_t>(leaves_));
     build(1, 0, leaves_);
@@ -72,9 +141,9 @@ class EdgeTree {
     constexpr std::size_t kManyPairs = 64;
     allowed_ = kManyPairs * n_;
     within(1, 0, leaves_);
-    const bool isBetter = allowed_ == 0 && found_.count < most_;
+    const bool isBetter = allowed_ == 0 && !pairs_.isFull();
     allowed_ = std::numeric_limits<std::size_t>::max();
-    if (isBetter) found_ = {};
+    if (isBetter) pairs_.clear();
     return isBetter;
   }
 
@@ -83,22 +152,15 @@ class EdgeTree {
       if (isSimplePolygon(points_)) return {};
       within(1, 0, leaves_);
     }
-    std::sort(found_.first.begin(), found_.first.end());
-    return std::move(found_);
+    return pairs_.take();
   }
 
  private:
-  const double* point(std::uint32_t i) const { return &points_[2 * (i == n_ ? 0 : i)]; }
-
   void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
     if (begin >= n_) return;
     EdgeBox& box = boxes_[node];
     if (end - begin == 1) {
-      const double *from = point(order_[begin]), *to = point(order_[begin] + 1);
-      for (int d = 0; d < 2; ++d) {
-        box.lo[d] = std::min(from[d], to[d]);
-        box.hi[d] = std::max(from[d], to[d]);
-      }
+      box = pairs_.boxOf(order_[begin]);
       return;
     }
     const std::uint32_t middle = (begin + end) / 2;
@@ -124,45 +186,24 @@ class EdgeTree {
   /// Pairs between two runs of `size` edges each.
   void across(std::uint32_t nodeA, std::uint32_t a, std::uint32_t nodeB, std::uint32_t b,
               std::uint32_t size) {
-    if (allowed_ == 0 || found_.count == most_) return;
+    if (allowed_ == 0 || pairs_.isFull()) return;
     --allowed_;
     if (a >= n_ || b >= n_ || disjoint(boxes_[nodeA], boxes_[nodeB])) return;
-    if (size == 1) return testPair(std::min(order_[a], order_[b]), std::max(order_[a], order_[b]));
+    if (size == 1)
+      return pairs_.test(std::min(order_[a], order_[b]), std::max(order_[a], order_[b]));
     const std::uint32_t half = size / 2;
     for (std::uint32_t i = 0; i < 2; ++i)
       for (std::uint32_t j = 0; j < 2; ++j)
         across(2 * nodeA + i, a + i * half, 2 * nodeB + j, b + j * half, half);
   }
 
-  void testPair(std::uint32_t i, std::uint32_t j) {
-    bool meet;
-    if (j == i + 1)
-      meet = foldsBack(i);
-    else if (i == 0 && j == n_ - 1)
-      meet = foldsBack(j);
-    else
-      meet = segmentsMeet(point(i), point(i + 1), point(j), point(j + 1));
-    if (!meet) return;
-    ++found_.count;
-    if (found_.first.size() < kKept) found_.first.push_back({i, j});
-  }
-
-  /// Whether edge i + 1 folds back onto edge i.
-  bool foldsBack(std::uint32_t i) const {
-    const double *a = point(i), *b = point(i + 1), *c = point(i + 1 == n_ ? 1 : i + 2);
-    if (orientation(a, b, c) != 0) return false;
-    return isBetween(a, b, c) || isBetween(b, c, a);
-  }
-
-  static constexpr std::size_t kKept = 4096;
-
   const std::vector<double>& points_;
   std::vector<std::uint32_t> order_;
-  std::size_t most_;
-  std::uint32_t n_, leaves_ = 1;
+  PairTest pairs_;
+  const std::uint32_t n_;
+  std::uint32_t leaves_ = 1;
   std::size_t allowed_ = 0;  ///< pairs of boxes that may still be tested
   std::vector<EdgeBox> boxes_;
-  Crossings found_;
 };
 
 }  // namespace
@@ -170,6 +211,7 @@ class EdgeTree {
 Crossings findCrossings(const std::vector<double>& points, std::size_t most) {
   // All edges of a triangle are neighbours; with positive area it is simple.
   if (points.size() < 8) return {};
+  if (points.size() <= 2 * kFewEdges) return amongFew(points, most);
   return EdgeTree(points, most).run();
 }
 

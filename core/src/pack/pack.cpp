@@ -220,7 +220,8 @@ class Packer {
   }
 
   void search() {
-    const ScaleOptions how{options_.work, options_.pool, options_.listener};
+    const double former = options_.formerDensity > 0 ? scaleOf(options_.formerDensity) : 0;
+    const ScaleOptions how{options_.work, former, options_.pool, options_.listener};
     ScaleSearch found = options_.rotate == Rotate::Auto
                             ? searchTidyScale(items_, grid_, taken_[0], how)
                             : searchScale(items_, grid_, taken_[0], how);

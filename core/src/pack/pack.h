@@ -33,11 +33,14 @@ struct PackOptions {
   int margin = kAutoMargin;      ///< free texels to the edge of the tile; see marginOf
   Rotate rotate = Rotate::Auto;  ///< beyond the pose in which a chart lies level and upright
   double texelDensity = 0;       ///< texels per unit of the mesh; 0: the most that fits one tile
-  double mostDensity = 0;        ///< limits it if `texelDensity` is 0; 0: no limit
-  bool fixedMayLeave = false;    ///< fixed shapes may be outside of tiles
-  double unit = 1;               ///< length in the mesh's unit of a length of 1 in the charts
-  bool udim = false;             ///< with a density: as many tiles as needed, not one
-  bool snapToTexels = false;     ///< the box of each level chart has its sides on texel borders
+  /// What charts much like these got: the search begins there, and with thousands of charts goes no
+  /// higher; 0: unknown.
+  double formerDensity = 0;
+  double mostDensity = 0;      ///< limits it if `texelDensity` is 0; 0: no limit
+  bool fixedMayLeave = false;  ///< fixed shapes may be outside of tiles
+  double unit = 1;             ///< length in the mesh's unit of a length of 1 in the charts
+  bool udim = false;           ///< with a density: as many tiles as needed, not one
+  bool snapToTexels = false;   ///< the box of each level chart has its sides on texel borders
   /// Once all charts have a place, better ones are searched for until this many rows of texels (or
   /// larger cells) have been looked at, over all charts in all poses; 0: until no better one is
   /// found.

@@ -42,7 +42,10 @@ class Search {
   bool begin(const std::vector<PlaceStrategy>& strategies) {
     // The part that was placed would fill the tile; a little more room is lost between the charts.
     constexpr double kLeastStep = 0.8, kMostStep = 0.985;
-    double scale = bounds_.guess;
+    double scale = options_.former > 0 ? std::clamp(options_.former, bounds_.least, bounds_.most)
+                                       : bounds_.guess;
+    // What is higher has not fitted before.
+    if (options_.former > 0) bad_ = scale * (1 + 1e-9);
     for (double most = kMostStep; attempt(scale, strategies, 0, 1) == kNone; most *= kMostStep) {
       if (scale <= bounds_.least || isStopped()) return false;
       bad_ = scale;

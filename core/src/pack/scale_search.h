@@ -7,7 +7,8 @@
 namespace abflat {
 
 struct ScaleOptions {
-  double work = 0;  ///< see PackOptions
+  double work = 0;    ///< see PackOptions
+  double former = 0;  ///< see PackOptions; a scale
   ThreadPool* pool = nullptr;
   Listener listener;
 };

@@ -31,11 +31,21 @@ struct SeamPart {
     return picked(wholeHalfEdge, whole);
   }
 
-  /// Per corner of the whole, its number here, if the part has all of the whole.
-  IdVector<SurfaceCorner, SurfaceCorner> cornersInPart() const {
-    IdVector<SurfaceCorner, SurfaceCorner> out(wholeHalfEdge.size());
+  /// Per corner of the whole, which has so many, its number here; none if it is not in the part.
+  IdVector<SurfaceCorner, SurfaceCorner> cornersInPart(std::size_t cornersOfWhole) const {
+    IdVector<SurfaceCorner, SurfaceCorner> out(cornersOfWhole);
     for (const SurfaceCorner h : wholeHalfEdge.ids()) out[wholeHalfEdge[h]] = h;
     return out;
+  }
+
+  /// Puts the part's values in the place of those of the whole.
+  template <class T>
+  void putInto(IdVector<SurfaceVertex, T>& whole, const IdVector<SurfaceVertex, T>& part) const {
+    for (const SurfaceVertex i : part.ids()) whole[wholeVertex[i]] = part[i];
+  }
+  template <class T>
+  void putInto(IdVector<SurfaceCorner, T>& whole, const IdVector<SurfaceCorner, T>& part) const {
+    for (const SurfaceCorner i : part.ids()) whole[wholeHalfEdge[i]] = part[i];
   }
 
   /// The other way round, if the part has all of the whole.

@@ -1,9 +1,11 @@
 #include "seam/find_in_rounds.h"
 
+#include <functional>
 #include <utility>
 
 #include "base/stopwatch.h"
 #include "seam/begin_search.h"
+#include "seam/components_with_seams.h"
 #include "seam/cut_in_rounds.h"
 #include "seam/fair_seams.h"
 #include "seam/make_symmetric.h"
@@ -15,8 +17,21 @@
 namespace abflat {
 namespace {
 
-SeamWork workOn(const SeamMesh& mesh, const SeamOptions& options, JoinedSeams& joined) {
-  return {mesh, joined.given, options, *joined.solver, joined.scale, joined.seams};
+/// Does one step on what has seams.
+void improve(const SeamMesh& mesh, const SeamOptions& options, JoinedSeams& joined,
+             const std::function<void(const SeamWork&)>& step) {
+  if (!joined.part) {
+    step(SeamWork{mesh, joined.given, options, *joined.solver, joined.scale, joined.seams});
+    return;
+  }
+  const SeamPart& part = *joined.part;
+  if (part.mesh.triangleCount() == 0) return;
+  const Seams given = part.ofCorners(joined.given);
+  Seams seams = part.ofCorners(joined.seams);
+  LogScales scale = part.ofVertices(joined.scale);
+  step(SeamWork{part.mesh, given, options, *joined.solver, scale, seams, mesh.totalArea()});
+  part.putInto(joined.seams, seams);
+  part.putInto(joined.scale, scale);
 }
 
 std::uint32_t chartsOnSurface(const SeamMesh& mesh, const CutSurface& s) {
@@ -46,11 +61,19 @@ JoinedSeams findJoined(const SeamMesh& mesh, Seams given, const SeamOptions& opt
   out.steps.handleLength = begun.cut.length;
   watch.lap();
   if (!options.isAuto || !options.listener.tell()) return out;
-  if (!out.solver) out.solver = std::make_unique<LogScale>(mesh, options.pool, out.ranks);
+  // A mirror is that of the whole.
+  if (!options.mirror) out.part = componentsWithSeams(mesh, out.seams, options.listener);
+  if (out.part)
+    out.solver =
+        std::make_unique<LogScale>(out.part->mesh, options.pool, out.part->ofVertices(out.ranks));
+  else if (!out.solver)
+    out.solver = std::make_unique<LogScale>(mesh, options.pool, out.ranks);
   out.steps.analysisSeconds += watch.lap();
-  // Slits and splits are added one by one where needed; together they may be more than needed.
-  out.steps.merges = mergeCharts(workOn(mesh, options, out));
-  makeSymmetric(workOn(mesh, options, out));
+  improve(mesh, options, out, [&](const SeamWork& work) {
+    // Slits and splits are added one by one where needed; together they may be more than needed.
+    out.steps.merges = mergeCharts(work);
+    makeSymmetric(work);
+  });
   out.steps.mergeSeconds = watch.lap();
   return out;
 }
@@ -60,12 +83,17 @@ Seams finishJoined(const SeamMesh& mesh, JoinedSeams joined, const SeamOptions& 
   Stopwatch watch;
   Seams& seams = joined.seams;
   const auto goesOn = [&] { return options.isAuto && options.listener.tell(); };
-  const bool isFair = goesOn() && fairSeams(workOn(mesh, options, joined));
-  const bool isSolved = isFair && !makeSymmetric(workOn(mesh, options, joined));
+  bool isSolved = false;
+  improve(mesh, options, joined, [&](const SeamWork& work) {
+    const bool isFair = goesOn() && fairSeams(work);
+    isSolved = isFair && !makeSymmetric(work);
+  });
   Seams found = seams;
   LogScales foundScale = joined.scale;
-  if (goesOn()) shortenSeams(workOn(mesh, options, joined), isSolved);
-  if (goesOn()) makeSymmetric(workOn(mesh, options, joined));
+  improve(mesh, options, joined, [&](const SeamWork& work) {
+    if (goesOn()) shortenSeams(work, isSolved);
+    if (goesOn()) makeSymmetric(work);
+  });
   openPockets(mesh, joined.doubled, seams, options.listener);
   for (const SurfaceCorner h : seams.ids())
     if (seams[h]) found[h] = 1;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "seam/extract_charts.h"
 #include "seam/find_seams.h"
 #include "seam/log_scale.h"
 
@@ -10,12 +11,13 @@ namespace abflat {
 
 /// A search for the seams of a mesh half way: no chart needs to be cut, and charts are joined.
 struct JoinedSeams {
-  Seams seams;                         ///< marked on both sides
-  Seams given;                         ///< those that must stay
-  LogScales scale;                     ///< expected
-  std::unique_ptr<LogScale> solver;    ///< of the mesh; null once it is not needed
-  EliminationRanks ranks;              ///< of the mesh
-  std::vector<SurfaceCorner> doubled;  ///< see doubledEdges
+  Seams seams;                           ///< marked on both sides
+  Seams given;                           ///< those that must stay
+  LogScales scale;                       ///< expected
+  std::unique_ptr<const SeamPart> part;  ///< what has seams; null: the whole, or most of it
+  std::unique_ptr<LogScale> solver;      ///< of the part; null once it is not needed
+  EliminationRanks ranks;                ///< of the mesh
+  std::vector<SurfaceCorner> doubled;    ///< see doubledEdges
   SeamSteps steps;
 };
 

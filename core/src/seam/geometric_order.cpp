@@ -144,7 +144,7 @@ SeamPart inGeometricOrder(const SeamMesh& mesh, const Listener& listener) {
   for (const SurfaceCorner first : firstCorners(mesh, colorsOf(mesh, listener)))
     addTriangle(mesh, first, out);
   addVertices(mesh, out);
-  const IdVector<SurfaceCorner, SurfaceCorner> now = out.cornersInPart();
+  const IdVector<SurfaceCorner, SurfaceCorner> now = out.cornersInPart(mesh.twin.size());
   for (const SurfaceCorner h : out.wholeHalfEdge) {
     const SurfaceCorner o = mesh.twin[h];
     out.mesh.twin.push_back(o.exists() ? now[o] : SurfaceCorner());

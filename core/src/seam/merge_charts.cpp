@@ -21,7 +21,7 @@ namespace {
 constexpr double kMostRoom = 1.05;
 
 /// Limits for a union that is joined along only a part of its seam: its hull as above, the share of
-/// its hull that it fills, and its extent. The latter is relative to the root of the mesh's area,
+/// its hull that it fills, and its extent. The latter is relative to the root of the whole area,
 /// so that the union fits into a well-filled square from corner to corner.
 constexpr double kMostRoomOfHinged = 1.4, kLeastFill = 0.3, kLongest = 1.9;
 
@@ -43,7 +43,7 @@ class Merger {
         images_(work.mesh, work.options.mirror),
         u_(work.u),
         seams_(work.seams),
-        longest_(std::min(options_.longest, kLongest * std::sqrt(mesh_.totalArea()))),
+        longest_(std::min(options_.longest, kLongest * std::sqrt(work.area))),
         isRefused_(seams_.size(), 0) {}
 
   std::uint32_t run() {

@@ -5,14 +5,15 @@
 
 namespace abflat {
 
-/// The seams of a whole mesh that are being improved.
+/// The seams of a mesh that are being improved.
 struct SeamWork {
   const SeamMesh& mesh;
   const Seams& kept;  ///< seams that must stay
   const SeamOptions& options;
-  LogScale& scale;  ///< of the whole mesh; may have been solved for anything
+  LogScale& scale;  ///< of the mesh; may have been solved for anything
   LogScales& u;     ///< of the current charts, both before and after the work
   Seams& seams;
+  double area = mesh.totalArea();  ///< of all that shares the atlas
 };
 
 }  // namespace abflat

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/stable_order.h"
+#include "seam/closed_charts.h"
 #include "seam/outline.h"
 #include "seam/prediction.h"
 #include "seam/seam_tips.h"
@@ -21,6 +22,8 @@ constexpr std::size_t kFewRounds = 7, kManyRounds = 12, kTriangles = 200000;
 constexpr double kShareOfSlack = 0.8;
 /// A smaller share of the bound is not worth a round.
 constexpr double kLittle = 0.03;
+/// The whole is left once it is this many times larger than what is not done.
+constexpr std::size_t kMuchLarger = 2;
 /// For a freed vertex: farther from the chart's mean, the log-scale predicts too little.
 constexpr double kMostShift = 0.8;
 
@@ -51,13 +54,67 @@ class Shortener {
     }
     prediction_ = predictStretch(mesh_, surface_, u_);
     progress_.resize(surface_.charts.size());
-    const std::size_t rounds =
-        std::clamp(kTriangles / mesh_.triangleCount(), kFewRounds, kManyRounds);
-    for (std::size_t round = 0; round < rounds && listener_.tell(); ++round)
-      if (!shorten()) return;
+    shortenFor(std::clamp(kTriangles / mesh_.triangleCount(), kFewRounds, kManyRounds));
   }
 
  private:
+  /// So many rounds, of which each goes on with only a part of the surface once most of it is done.
+  void shortenFor(std::size_t rounds) {
+    for (; rounds > 0 && listener_.tell(); --rounds) {
+      if (isMostDone()) return shortenRestFor(rounds);
+      if (!shorten()) return;
+    }
+  }
+
+  void noteDone() {
+    for (const CutChartId c : progress_.ids())
+      if (!surface_.charts[c].isDisk() || !(slack(c) > kLittle * most()))
+        progress_[c].isDone = true;
+  }
+
+  bool isMostDone() {
+    noteDone();
+    std::size_t left = 0;
+    for (const CutChartId c : progress_.ids())
+      if (!progress_[c].isDone) left += surface_.charts[c].triangles;
+    return left > 0 && kMuchLarger * left < mesh_.triangleCount();
+  }
+
+  /// The charts that are not done, with their slits closed.
+  SeamPart rest() const {
+    std::vector<SurfaceTriangle> charts;
+    for (const CutChartId c : progress_.ids())
+      if (!progress_[c].isDone) charts.push_back(surface_.charts[c].firstTriangle);
+    return extractClosed(mesh_, seams_, {}, charts);
+  }
+
+  void shortenRestFor(std::size_t rounds) {
+    const SeamPart part = rest();
+    LogScale scale(part.mesh, work_.options.pool, part.ofVertices(work_.scale.eliminationRanks()));
+    const Seams kept = part.ofCorners(work_.kept);
+    Seams seams = part.ofCorners(seams_);
+    for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] && part.mesh.twin[h].exists();
+    LogScales u = part.ofVertices(u_);
+    Shortener other({part.mesh, kept, work_.options, scale, u, seams});
+    other.takeProgress(*this, part);
+    other.shortenFor(rounds);
+    for (const SurfaceCorner h : seams.ids())
+      if (part.mesh.twin[h].exists()) seams_[part.wholeHalfEdge[h]] = seams[h];
+    part.putInto(u_, u);
+  }
+
+  /// Goes on where `whole` was, with a part of its charts, which are in the same order.
+  void takeProgress(const Shortener& whole, const SeamPart& part) {
+    surface_ = cutAlong(mesh_, seams_, listener_);
+    prediction_ = predictStretch(mesh_, surface_, u_);
+    isSolved_ = false;
+    for (const Progress& p : whole.progress_)
+      if (!p.isDone) progress_.push_back(p);
+    for (const SurfaceVertex v : mesh_.vertices())
+      if (const auto limit = whole.limit_.find(part.wholeVertex[v]); limit != whole.limit_.end())
+        limit_[v] = limit->second;
+  }
+
   /// A tip and how many of its edges are taken back.
   struct Choice {
     SeamTip tip;
@@ -95,23 +152,23 @@ class Shortener {
       }
     u_ = std::move(u);
     prediction_ = std::move(told);
-    if (std::find(isRefused.begin(), isRefused.end(), 1) == isRefused.end()) {
-      surface_ = std::move(next);
-      return true;
-    }
-    // The factor must match the surface as it is now.
-    surface_ = cutAlong(mesh_, seams_, listener_);
-    return !work_.scale.solve(surface_, {}).empty();
+    isSolved_ = std::find(isRefused.begin(), isRefused.end(), 1) == isRefused.end();
+    surface_ = isSolved_ ? std::move(next) : cutAlong(mesh_, seams_, listener_);
+    return true;
+  }
+
+  /// The factor has to match the surface as it is now.
+  bool solveAsItIs() {
+    isSolved_ = isSolved_ || !work_.scale.solve(surface_, {}).empty();
+    return isSolved_;
   }
 
   std::vector<Choice> choose() {
+    noteDone();
     IdVector<CutChartId, std::uint8_t> isWanted;
-    for (const CutChartId c : progress_.ids()) {
-      Progress& p = progress_[c];
-      p.isDone = p.isDone || !surface_.charts[c].isDisk() || !(slack(c) > kLittle * most());
-      isWanted.push_back(!p.isDone);
-    }
-    if (std::find(isWanted.begin(), isWanted.end(), 1) == isWanted.end()) return {};
+    for (const Progress& p : progress_) isWanted.push_back(!p.isDone);
+    if (std::find(isWanted.begin(), isWanted.end(), 1) == isWanted.end() || !solveAsItIs())
+      return {};
     IdVector<CutChartId, std::vector<Choice>> of(progress_.size());
     for (SeamTip& tip : findTips({mesh_, seams_, work_.kept, u_, outgoing_}, surface_, prediction_,
                                  isWanted, work_.scale)) {
@@ -244,6 +301,7 @@ class Shortener {
   Seams& seams_;
   CutSurface surface_;
   Prediction prediction_;
+  bool isSolved_ = true;  ///< for the surface
   IdVector<CutChartId, Progress> progress_;
   /// For the vertex that a tip ends at, how many edges may be taken back, as far as known.
   std::map<SurfaceVertex, std::size_t> limit_;

@@ -123,9 +123,10 @@ void fitAll(const PackedCharts& packed, const UnwrapOptions& options, Numbers nu
 }  // namespace
 
 Status packAll(const PackedCharts& packed, const UnwrapOptions& options, const Listener& listener,
-               AtlasReport& atlas) {
+               AtlasReport& atlas, double formerDensity) {
   PackOptions how = packOptionsOf(options);
   how.unit = packed.unit;
+  how.formerDensity = formerDensity;
   how.pool = &packed.pool;
   how.listener = listener;
   std::vector<PackShape> shapes = shapesOf(packed);

@@ -42,7 +42,7 @@ void findAround(const IdVector<SurfaceTriangle, std::uint8_t>& isFixed, const Se
   IdVector<CutChartId, std::uint8_t> isWanted;
   for (const CutSurface::Chart& chart : islands.charts)
     isWanted.push_back(chart.triangles > 1 && (isFixed.empty() || !isFixed[chart.firstTriangle]));
-  findWithin(islands, isWanted, options, open, found);
+  findWithin(extractCharts(open.mesh, islands, isWanted), options, open, found);
 }
 
 /// The ranks of a surface for the same mesh opened in another way, since a chart must be solved in

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "refine/refine.h"
+#include "seam/closed_charts.h"
 #include "seam/prediction.h"
 #include "unwrap/find_within.h"
 #include "unwrap/seam_options.h"
@@ -11,38 +12,49 @@
 namespace abflat {
 namespace {
 
-/// Seams that separate charts. Slits within a chart do not count, unless they are given.
-Seams seamsBetween(const CutSurface& s, const OpenSurface& open) {
-  Seams out = open.seams;
-  for (const SurfaceCorner h : out.ids()) {
-    const SurfaceCorner o = open.mesh.twin[h];
-    if (o.exists() && s.chartOf(h) == s.chartOf(o) && !open.isGiven(h)) out[h] = 0;
-  }
-  return out;
+/// The charts of these triangles, as they are cut now.
+struct ChartsNow {
+  const SeamPart part;
+  const CutSurface cut;
+  const Prediction expected;
+};
+
+ChartsNow chartsNow(const OpenSurface& open, SeamPart part) {
+  Seams seams = part.ofCorners(open.seams);
+  for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] && part.mesh.twin[h].exists();
+  CutSurface cut = cutAlong(part.mesh, seams);
+  Prediction expected = predictStretch(part.mesh, cut, part.ofVertices(open.scale));
+  return {std::move(part), std::move(cut), std::move(expected)};
 }
 
 /// Restores the seams of a chart to their length before shortening; false if they already have it.
-bool restore(const CutSurface& s, CutChartId chart, OpenSurface& open) {
+bool restore(const ChartsNow& now, CutChartId chart, OpenSurface& open) {
   bool isAny = false;
-  for (const SurfaceTriangle f : s.trianglesOf(chart))
-    for (const SurfaceCorner h : cornersOf(f)) {
+  for (const SurfaceTriangle f : now.cut.trianglesOf(chart))
+    for (const SurfaceCorner i : cornersOf(f)) {
+      const SurfaceCorner h = now.part.wholeHalfEdge[i];
       const SurfaceVertex v = open.mesh.tail(h);
-      if (!s.isBoundary[s.tail(h)]) open.scale[v] = open.foundScale[v];
+      if (!now.cut.isBoundary[now.cut.tail(i)]) open.scale[v] = open.foundScale[v];
       if (open.seams[h] || !open.found[h] || !open.mesh.twin[h].exists()) continue;
       open.seams[h] = isAny = true;
     }
   return isAny;
 }
 
-/// The larger value of each chart and its mirror image, so that both are cut alike.
-IdVector<CutChartId, double> withImages(const OpenSurface& open, const CutSurface& s,
+/// The larger value of each chart and its mirror image, so that both are cut alike. All charts are
+/// there if the surface has a mirror.
+IdVector<CutChartId, double> withImages(const OpenSurface& open, const ChartsNow& now,
                                         IdVector<CutChartId, double> excess) {
+  if (!open.mirror) return excess;
+  const CutSurface& s = now.cut;
+  const IdVector<SurfaceCorner, SurfaceCorner> inPart =
+      now.part.cornersInPart(open.mesh.twin.size());
   IdVector<CutChartId, CutChartId> image(excess.size());
   for (const SurfaceCorner h : open.mirror.image.ids()) {
     const SurfaceCorner there = open.mirror.image[h];
     // The mirror turns the surface around, so what is on the left comes to the right.
-    if (there.exists() && s.twin[h].exists())
-      image[s.chartOf(h)] = s.chartOf(open.mesh.twin[there]);
+    if (there.exists() && s.twin[inPart[h]].exists())
+      image[s.chartOf(inPart[h])] = s.chartOf(inPart[open.mesh.twin[there]]);
   }
   IdVector<CutChartId, double> out = excess;
   for (const CutChartId c : image.ids())
@@ -77,15 +89,21 @@ Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& ch
                      const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
                      OpenSurface& open) {
   const auto isAsked = [](const Stretched& chart) { return chart.stretch > 0; };
+  std::vector<SurfaceTriangle> first;
+  for (const ChartId i : charts.ids())
+    if (isAsked(charts[i]) || open.mirror) first.push_back(set.topology(i).triangles.front());
   if (std::none_of(charts.begin(), charts.end(), isAsked)) return Further::Nothing;
-  const CutSurface s = cutAlong(open.mesh, open.seams);
-  const Prediction expected = predictStretch(open.mesh, s, open.scale);
+  const ChartsNow now = chartsNow(open, extractClosed(open.mesh, open.seams, open.given, first));
+  const CutSurface& s = now.cut;
+  const Prediction& expected = now.expected;
+  const IdVector<SurfaceCorner, SurfaceCorner> inPart =
+      now.part.cornersInPart(open.mesh.twin.size());
   IdVector<CutChartId, double> excess(s.charts.size(), 0);  // 0: leave the chart alone
   bool isAnyRestored = false;
   for (const ChartId i : charts.ids()) {
     if (!isAsked(charts[i])) continue;
-    const CutChartId c = s.chartOfTriangle[set.topology(i).triangles.front()];
-    if (charts[i].isInvalid && restore(s, c, open)) {
+    const CutChartId c = s.chartOf(inPart[cornerOf(set.topology(i).triangles.front(), 0)]);
+    if (charts[i].isInvalid && restore(now, c, open)) {
       isAnyRestored = true;
       continue;
     }
@@ -107,17 +125,19 @@ Further cutStretched(const ChartSet& set, const IdVector<ChartId, Stretched>& ch
     return Further::Replaced;
   }
   open.otherwise = KnownSeams();
-  excess = withImages(open, s, std::move(excess));
+  excess = withImages(open, now, std::move(excess));
   open.mesh.excess.resize(open.mesh.triangleCount(), 1);
-  for (const SurfaceTriangle f : open.mesh.triangles())
-    if (const double x = excess[s.chartOfTriangle[f]]; x > 0) open.mesh.excess[f] = x;
-  const CutSurface apart = cutAlong(open.mesh, seamsBetween(s, open));
-  IdVector<CutChartId, std::uint8_t> isWanted(apart.charts.size(), 0);
+  for (const SurfaceTriangle f : now.part.mesh.triangles())
+    if (const double x = excess[s.chartOfTriangle[f]]; x > 0)
+      open.mesh.excess[triangleOf(now.part.wholeHalfEdge[cornerOf(f, 0)])] = x;
+  std::vector<SurfaceTriangle> toCut;
   for (const CutChartId c : s.charts.ids())
-    if (excess[c] > 0) isWanted[apart.chartOfTriangle[s.charts[c].firstTriangle]] = 1;
+    if (excess[c] > 0)
+      toCut.push_back(triangleOf(now.part.wholeHalfEdge[cornerOf(s.charts[c].firstTriangle, 0)]));
   SeamReport found;
-  const bool isAnyFound = findWithin(
-      apart, isWanted, seamOptions(options, open, pool, listener, open.variant), open, found);
+  const bool isAnyFound =
+      findWithin(extractClosed(open.mesh, open.seams, open.given, toCut),
+                 seamOptions(options, open, pool, listener, open.variant), open, found);
   return isAnyFound || isAnyRestored ? Further::Cut : Further::Nothing;
 }
 

@@ -11,9 +11,8 @@
 #include "base/portable_math.h"
 #include "hole/fill_holes.h"
 #include "pack/pack.h"
-#include "seam/extract_charts.h"
-#include "seam/geometric_order.h"
 #include "seam/piece_fitting.h"
+#include "unwrap/part_of_charts.h"
 
 namespace abflat {
 namespace {
@@ -59,20 +58,6 @@ std::size_t countOf(const IdVector<ChartId, std::uint8_t>& isLarge) {
   return static_cast<std::size_t>(std::count(isLarge.begin(), isLarge.end(), 1));
 }
 
-/// The surface of the large charts, in the order in which cuts are sought.
-SeamPart partToCut(const LaidCharts& charts, const OpenSurface& open,
-                   const IdVector<ChartId, std::uint8_t>& isLarge) {
-  if (countOf(isLarge) == isLarge.size()) return inGeometricOrder(open.mesh);
-  const CutSurface cut = cutAlong(open.mesh, open.seams);
-  IdVector<CutChartId, std::uint8_t> isWanted(cut.charts.size(), 0);
-  for (const ChartId i : charts.set.ids())
-    isWanted[cut.chartOfTriangle[charts.set.topology(i).triangles.front()]] = isLarge[i];
-  const SeamPart between = extractCharts(open.mesh, cut, isWanted);
-  SeamPart out = inGeometricOrder(between.mesh);
-  out.embedIn(between);
-  return out;
-}
-
 /// `part`: the surface in the order in which cuts are sought.
 FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open, const SeamPart& part) {
   const LaidCharts& charts = packed.charts;
@@ -80,8 +65,7 @@ FlatSurface flatSurface(const PackedCharts& packed, const OpenSurface& open, con
   Seams seams = part.ofCorners(open.seams);
   for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] && part.mesh.twin[h].exists();
   out.surface = cutAlong(part.mesh, seams);
-  IdVector<SurfaceCorner, SurfaceCorner> inPart(open.mesh.twin.size());
-  for (const SurfaceCorner h : part.wholeHalfEdge.ids()) inPart[part.wholeHalfEdge[h]] = h;
+  const IdVector<SurfaceCorner, SurfaceCorner> inPart = part.cornersInPart(open.mesh.twin.size());
   out.at.resize(out.surface.vertexCount());
   out.canCut.assign(out.surface.charts.size(), 0);
   out.density.assign(out.surface.charts.size(), 1);
@@ -246,7 +230,7 @@ CutsForPacking findCutsForPacking(const PackedCharts& packed, const OpenSurface&
   const auto gainTo = [&](double share) { return portable::log(share / utilization) / 2; };
   const double wanted = gainTo(goal.utilization);
   if (!(wanted > kLeast)) return out;
-  const SeamPart part = partToCut(packed.charts, open, largeCharts(packed.charts.flat, 0));
+  const SeamPart part = partOfCharts(packed.charts, open, largeCharts(packed.charts.flat, 0));
   const FlatSurface surface = flatSurface(packed, open, part);
   const auto fittingOn = [&](int cells) {
     const QuickFit fit(packOptionsOf(options), cells);

@@ -2,13 +2,9 @@
 
 #include <utility>
 
-#include "seam/extract_charts.h"
-
 namespace abflat {
 
-bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8_t>& isWanted,
-                SeamOptions options, OpenSurface& open, SeamReport& found) {
-  const SeamPart part = extractCharts(open.mesh, surface, isWanted);
+bool findWithin(const SeamPart& part, SeamOptions options, OpenSurface& open, SeamReport& found) {
   const bool hasRanks = !open.eliminationRanks.empty();
   if (hasRanks) options.eliminationRanks = part.ofVertices(open.eliminationRanks);
   options.mirror = open.mirror.ofPart(part);

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "seam/extract_charts.h"
 #include "unwrap/open_surface.h"
 
 namespace abflat {
 
-/// Finds new seams within the wanted charts of `surface`, starting from those that were found
-/// before. False if nothing has changed.
-bool findWithin(const CutSurface& surface, const IdVector<CutChartId, std::uint8_t>& isWanted,
-                SeamOptions options, OpenSurface& open, SeamReport& found);
+/// Finds new seams within a part of the surface, starting from those that were found before. False
+/// if nothing has changed.
+bool findWithin(const SeamPart& part, SeamOptions options, OpenSurface& open, SeamReport& found);
 
 }  // namespace abflat

@@ -68,8 +68,9 @@ class CutPacker {
   }
 
   /// Packs, which takes the given range of the stage's progress.
-  Status packNow(double from, double to) {
-    return packAll(packed(), with_.options, settings_.listener.part(from, to), report_.atlas);
+  Status packNow(double from, double to, double formerDensity = 0) {
+    return packAll(packed(), with_.options, settings_.listener.part(from, to), report_.atlas,
+                   formerDensity);
   }
 
   /// Cuts charts if that makes the packing so much denser that it is worth the seams; otherwise
@@ -117,6 +118,7 @@ class CutPacker {
   /// Cuts charts whose parts are too near each other, and packs again, unless that does not fit.
   Status keepPartsApart() {
     constexpr int kMostRounds = 4;
+    constexpr std::size_t kMany = 1000;
     for (int k = 0; k < kMostRounds && canCut(with_.options) && !settings_.listener.isStopped();
          ++k) {
       Seams seams = seamsNow();
@@ -126,7 +128,9 @@ class CutPacker {
       takePieces(before.charts, with_.options, with_.pool, cut_.charts);
       if (Status s = flattener_.layOutPieces(cut_); !s.ok() || settings_.listener.isStopped())
         return s;
-      Status packed = packNow(1, 1);
+      // Among many charts, the pieces of a few make little difference.
+      const bool isAlike = before.charts.set.size() > kMany;
+      Status packed = packNow(1, 1, isAlike ? before.packing.texelDensity : 0);
       if (packed.code == StatusCode::AtlasTooSmall) return restore(before);
       if (!packed.ok()) return packed;
     }

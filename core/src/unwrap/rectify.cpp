@@ -18,11 +18,17 @@ namespace {
 /// In terms of stretch: an outline that becomes level.
 constexpr double kWorth = 0.025;
 
-bool isAsked(const FlatChart& flat, Rectify how) {
-  constexpr double kExact = 1e-6;
-  const bool isExact = flat.distortion.symmetricDirichlet <= 1 + kExact;
+bool mayChange(const FlatChart& flat) {
   return flat.problem.empty() && !flat.isFixed && !flat.isGiven && !flat.unpacked.empty() &&
-         flat.solver != Solver::Known && (how == Rectify::Always || !isExact);
+         flat.solver != Solver::Known;
+}
+
+/// Whether an outline that becomes level gains anything. In a speck nobody sees it.
+bool isAsked(const FlatChart& flat, Rectify how, double density) {
+  if (how == Rectify::Always) return mayChange(flat);
+  constexpr double kExact = 1e-6, kSpeckTexels = 64;
+  const bool isExact = flat.distortion.symmetricDirichlet <= 1 + kExact;
+  return mayChange(flat) && !isExact && flat.area * density * density > kSpeckTexels;
 }
 
 /// How many edges of the outline would come too near others, so that the chart would be cut there.
@@ -103,7 +109,7 @@ void rectifyAll(const UnwrapOptions& options, double unit, ThreadPool& pool,
   how.listener = listener;
   parallelFor(&pool, charts.set.size(), [&](std::size_t k) {
     const ChartId i(k);
-    if (isAsked(charts.flat[i], options.rectify))
+    if (isAsked(charts.flat[i], options.rectify, density))
       rectifyOne(charts.set, i, options, how, density, charts.flat[i]);
   });
 }

@@ -7,8 +7,8 @@
 #include "base/number_text.h"
 #include "base/point2.h"
 #include "hole/fill_holes.h"
-#include "seam/geometric_order.h"
 #include "seam/part_charts.h"
+#include "unwrap/part_of_charts.h"
 
 namespace abflat {
 namespace {
@@ -79,18 +79,21 @@ IdVector<ChartId, NearParts> nearPartsOf(const PackedCharts& packed,
 
 bool cutBetween(const LaidCharts& charts, const IdVector<ChartId, NearParts>& near,
                 const UnwrapOptionValues& options, OpenSurface& open) {
-  std::vector<ChartId> toCut;
+  IdVector<ChartId, std::uint8_t> isCut;
   for (const ChartId i : near.ids())
-    if (!near[i].edges.empty() && !charts.flat[i].isFixed) toCut.push_back(i);
-  if (toCut.empty()) return false;
+    isCut.push_back(!near[i].edges.empty() && !charts.flat[i].isFixed);
+  if (std::find(isCut.begin(), isCut.end(), 1) == isCut.end()) return false;
   open.seams.resize(open.mesh.twin.size(), 0);
-  const SeamPart part = inGeometricOrder(open.mesh);
-  const IdVector<SurfaceCorner, SurfaceCorner> inPart = part.cornersInPart();
+  const SeamPart part = partOfCharts(charts, open, isCut);
+  const IdVector<SurfaceCorner, SurfaceCorner> inPart = part.cornersInPart(open.mesh.twin.size());
   std::vector<OutlinePair> pairs;
-  for (const ChartId i : toCut) addPairs(charts.set.topology(i), near[i], inPart, pairs);
+  for (const ChartId i : isCut.ids())
+    if (isCut[i]) addPairs(charts.set.topology(i), near[i], inPart, pairs);
   Seams seams = part.ofCorners(open.seams);
+  for (const SurfaceCorner h : seams.ids()) seams[h] = seams[h] && part.mesh.twin[h].exists();
   if (!partCharts(part.mesh, pairs, seams)) return false;
-  open.seams = part.toWhole(seams);
+  for (const SurfaceCorner h : seams.ids())
+    if (seams[h]) open.seams[part.wholeHalfEdge[h]] = 1;
   openTouchedHoles(open.mesh, cutAlong(open.mesh, open.seams), options.fillHoles, open.seams);
   return true;
 }

@@ -52,7 +52,7 @@ std::size_t countByBruteForce(const Polygon& p) {
 TEST_CASE("crossings agree with brute force on random polygons of small integers") {
   std::mt19937 random(1);
   for (int repeat = 0; repeat < 400; ++repeat) {
-    const std::size_t n = 4 + random() % 30;
+    const std::size_t n = 4 + random() % 60;
     Polygon p;
     while (p.size() < 2 * n) {
       const double x = double(random() % 12), y = double(random() % 12);

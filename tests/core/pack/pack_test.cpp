@@ -112,6 +112,21 @@ TEST_CASE("thousands of small charts, and tiny ones beside large ones", "[pack]"
   CHECK(complaint(shapes, packing, at(128, 2)) == "");
 }
 
+TEST_CASE("a search may begin at the density of a former one, and among many charts goes no higher",
+          "[pack]") {
+  const std::vector<PackShape> shapes = makePackShapes("mixed", 1200, 4, 1);
+  PackOptions options = at(512, 2);
+  const Packing before = packed(shapes, options);
+  for (const double share : {0.5, 1.0, 1.1, 1e3}) {
+    options.formerDensity = share * before.texelDensity;
+    checkPacked(shapes, options);
+    const Packing now = packed(shapes, options);
+    CHECK(now.texelDensity > 0.95 * std::min(share, 1.0) * before.texelDensity);
+    CHECK(now.texelDensity <= (1 + 1e-9) * options.formerDensity);
+    if (share == 1) CHECK(now.tries < before.tries);
+  }
+}
+
 TEST_CASE("as many texels as charts is enough room", "[pack][quality]") {
   std::vector<PackShape> shapes = makePackShapes("triangles", 400, 3, 1);
   for (const int padding : {0, 1, 2, 3}) {

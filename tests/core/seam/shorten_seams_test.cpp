@@ -1,5 +1,6 @@
 #include "seam/shorten_seams.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -7,22 +8,25 @@
 #include "seam/log_scale.h"
 #include "seam/prediction.h"
 #include "seam/seam_tips.h"
+#include "support/copies.h"
 #include "support/cut_meshes.h"
 #include "support/isosurface.h"
 #include "support/meshes.h"
+#include "support/squares.h"
 
 using namespace abflat;
 using namespace abflat::test;
 
 namespace {
 
-/// A plane with a round hill, and a slit from the border over its top and far beyond.
+/// A plane with a round hill, and a slit from the border over its top and far beyond; beside it, if
+/// wanted, a larger plane without any seam.
 struct Hill {
   static constexpr unsigned kSide = 41;
-  Cuttable c{makeTriangleMesh(positions(), triangles()), SeamCosts::Length};
+  Cuttable c;
   Seams seams = Seams(c.seamMesh.twin.size(), 0);
 
-  Hill() {
+  explicit Hill(bool hasPlane = false) : c(meshOf(hasPlane), SeamCosts::Length) {
     for (const SurfaceCorner h : seams.ids())
       if (isOnSlit(c.seamMesh.tail(h)) && isOnSlit(c.seamMesh.head(h))) seams[h] = 1;
   }
@@ -34,6 +38,12 @@ struct Hill {
     const auto column = std::lround((p[0] - first[0]) / unit);
     const auto row = std::lround((p[1] - first[1]) / unit);
     return column == 20 && row <= 34;
+  }
+  static PolygonMesh meshOf(bool hasPlane) {
+    PolygonMesh out = makeTriangleMesh(positions(), triangles());
+    const PolygonMesh plane = squares(60, 60, [](auto, auto) { return true; });
+    if (hasPlane) test::append(out, transformed(plane, 1, {100, 0, 0}));
+    return out;
   }
   static std::vector<double> positions() {
     std::vector<double> out;
@@ -108,6 +118,18 @@ TEST_CASE("what taking a seam back costs is told within a factor of two", "[seam
       CHECK(tips[0].stretch[2] < 2 * change);
       CHECK(tips[0].stretch[2] > change / 2);
     }
+  }
+}
+
+TEST_CASE("seams are taken back alike beside a larger chart that is done", "[seams]") {
+  const Hill alone, beside(true);
+  const double least = stretchOf(alone.c.seamMesh, alone.seams);
+  for (const double more : {1.01, 1.02, 1.035}) {
+    const Seams a = shortened(alone, more * least), b = shortened(beside, more * least);
+    const auto count = [](const Seams& seams) { return std::count(seams.begin(), seams.end(), 1); };
+    CHECK(count(a) < count(alone.seams));
+    CHECK(count(a) == count(b));
+    CHECK(std::equal(a.begin(), a.end(), b.begin()));
   }
 }
 
