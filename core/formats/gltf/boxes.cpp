@@ -19,6 +19,7 @@ Box boxOf(const Document& document, Accessor accessor) {
   accessor.isNormalized = false;
   const std::vector<double> values = numbersOf(document, accessor);
   const std::size_t n = accessor.shape.components();
+  if (n == 0 || values.size() < n) return {};
   Box out{{values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n)}, {}};
   out.high = out.low;
   for (std::size_t i = n; i < values.size(); ++i) {
