@@ -13,8 +13,8 @@ import { findChrome, findClang, findPython } from './lib/requirements.mjs';
 import { catchJobs, fuzzJobs, NOT_QUALITY, nodeJobs } from './lib/suites.mjs';
 
 /**
- * A finding ends the program in a way that cannot be mistaken for a documented exit code. By default
- * 256 MB of freed memory are kept back, and 30 callers of each allocation: a third of the time.
+ * A finding ends the program in a way that cannot be mistaken for a documented exit code. The defaults
+ * of the last two, 256 MB of freed memory and 30 callers of each allocation, would cost a third more.
  */
 const SANITIZER_ENV = {
   ASAN_OPTIONS: [
