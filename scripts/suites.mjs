@@ -81,17 +81,18 @@ const otherPlatforms = async () => {
 };
 
 /**
- * Test files of tests/FOLDER for node, several at a time; `waits`: see runPool. `env` is called
- * once everything is built.
+ * Test files of tests/FOLDER for node, several at a time; `waits`, `repeats`: see runPool. `env` is
+ * called once everything is built.
  */
 function node(
   folder,
   needs,
-  { kind = WITHOUT, what = 'node', waits = false, env = () => ({}) } = {},
+  { kind = WITHOUT, what = 'node', waits = false, repeats = false, env = () => ({}) } = {},
 ) {
   return {
     name: folder,
     waits,
+    repeats,
     title: `tests/${folder} (${kind.title(what)})`,
     purposes: kind.purposes,
     needs,
@@ -172,7 +173,8 @@ export const LONG_SUITES = [
 /** What is run again with an instrumented program. */
 export const SANITIZED_SUITES = [
   catch2('core', [buildSanitized], { kind: SANITIZED }),
-  node('native', [buildSanitized], { kind: SANITIZED }),
+  // The native build runs the same files.
+  node('native', [buildSanitized], { kind: SANITIZED, repeats: true }),
   node('fuzz', [buildSanitized], { kind: SANITIZED, what: 'random meshes' }),
   {
     name: 'fuzzers',

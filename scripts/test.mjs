@@ -1,8 +1,9 @@
 #!/usr/bin/env node
 // Builds what the tests need and runs them, as many in parallel as there are cores. Each suite is
 // shown once it is complete. The last line is the total: "N passed, N failed, N skipped".
-// Usage: test.mjs [SUITE or GROUP ...] [--long]
-// Suites and groups are those of suites.mjs (default: the group "default").
+// Usage: test.mjs [SUITE or GROUP ...] [--long] [--minutes N]
+// Suites and groups are those of suites.mjs (default: the group "default"). After --minutes no test
+// is begun that only repeats what another runs; those left out are skipped and named.
 
 import { parseArgs } from 'node:util';
 import { JOBS } from './lib/cmake.mjs';
@@ -87,6 +88,9 @@ function summarize(records, times) {
       `${markOf(total).padEnd(7)} ${title.padEnd(34)} ${describe(total)}, ${seconds.toFixed(1)} s`,
     );
   }
+  const late = records.flatMap(({ parts }) => parts).filter(({ isLate }) => isLate);
+  if (late.length > 0)
+    console.log(`Left out for lack of time: ${late.map(({ name }) => name).join(', ')}`);
   for (const { name, failed } of records.flatMap(({ parts }) => parts).filter((p) => p.failed > 0))
     console.log(`FAILED  ${name}: ${failed} failed`);
   const sum = add(records.flatMap(({ parts }) => parts));
@@ -96,7 +100,7 @@ function summarize(records, times) {
 
 await runMain(async () => {
   const { values, positionals } = parseArgs({
-    options: { long: { type: 'boolean', default: false } },
+    options: { long: { type: 'boolean', default: false }, minutes: { type: 'string' } },
     allowPositionals: true,
   });
   const suites = choose(positionals.length > 0 ? positionals : ['default']);
@@ -107,10 +111,12 @@ await runMain(async () => {
   const runs = suites.map((suite) => ({
     title: suite.title,
     waits: suite.waits,
+    repeats: suite.repeats,
     jobs: jobsOf(suite, broken, values),
   }));
   const testing = performance.now();
-  const records = await runPool(runs, Number(JOBS), show);
+  const most = Number(values.minutes ?? Number.POSITIVE_INFINITY) * 60;
+  const records = await runPool(runs, Number(JOBS), show, () => secondsSince(start) > most);
   times.push(['all tests', secondsSince(testing)]);
   if (!summarize(records, times)) process.exitCode = 1;
 });

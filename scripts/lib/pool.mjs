@@ -3,34 +3,42 @@
 /**
  * Runs `suites` (`{ title, jobs, waits }`), at most `slots` jobs at a time and in order, so that
  * the first jobs of one suite fill the gaps left by the last ones of another. Jobs of a suite that
- * mostly `waits` run one at a time beside the others, and use their slots once those are done. A
- * job is `{ name, run }`; `run` resolves to `{ passed, failed, skipped, output }`. `show` is called
- * with each suite when it is complete: `{ title, parts }`, where a part holds a job's name, result
- * and seconds. Resolves to all of these in the order of the suites.
+ * mostly `waits` run one at a time beside the others, and use their slots once those are done. Those
+ * of a suite that `repeats` what another runs, too, come last; what has not begun when `isLate` is
+ * skipped, and says so. A job is `{ name, run }`; `run` resolves to `{ passed, failed, skipped,
+ * output }`. `show` is called with each suite when it is complete: `{ title, parts }`, where a part
+ * holds a job's name, result and seconds. Resolves to all of these in the order of the suites.
  */
-export async function runPool(suites, slots, show) {
+export async function runPool(suites, slots, show, isLate = () => false) {
   const records = suites.map(({ title, jobs }) => ({
     title,
     parts: new Array(jobs.length),
     left: jobs.length,
   }));
   const all = suites.flatMap(({ jobs }, suite) => jobs.map((job, part) => ({ job, suite, part })));
+  const last = all.filter(({ suite }) => suites[suite].repeats);
   const beside = all.filter(({ suite }) => suites[suite].waits);
-  const others = all.filter(({ suite }) => !suites[suite].waits);
+  const others = all.filter(({ suite }) => !suites[suite].waits && !suites[suite].repeats);
   const work = async (...queues) => {
     const take = () => queues.find((queue) => queue.length > 0)?.shift();
     for (let next = take(); next !== undefined; next = take()) {
       const record = records[next.suite];
-      record.parts[next.part] = await timed(next.job);
+      const isLeft = suites[next.suite].repeats && isLate();
+      record.parts[next.part] = isLeft ? left(next.job) : await timed(next.job);
       record.left -= 1;
       if (record.left === 0) show(record);
     }
   };
-  const lanes = Array.from({ length: slots }, () => work(others, beside));
+  const lanes = Array.from({ length: slots }, () => work(others, beside, last));
   if (others.length > 0) lanes.push(work(beside));
   await Promise.all(lanes);
   return records;
 }
+
+const left = ({ name }) => ({
+  ...{ name, passed: 0, failed: 0, skipped: 1, seconds: 0, isLate: true },
+  output: `${name}: skipped, since there was no time left. Others run the same tests.\n`,
+});
 
 async function timed({ name, run }) {
   const started = performance.now();

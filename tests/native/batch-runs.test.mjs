@@ -18,6 +18,8 @@ import { CUBE, grid } from '../support/small-meshes.mjs';
 import { objText, torus } from '../support/surfaces.mjs';
 
 const PARTED = isInstrumented ? 12 : 24;
+/** Takes seconds. */
+const LONG = isInstrumented ? torus(80, 40) : torus(200, 100);
 
 test('parts make the same manifest as the whole', async (t) => {
   const { at, batch } = inFolder(t, {});
@@ -58,7 +60,11 @@ for (const signal of ['SIGKILL', 'SIGTERM', 'SIGINT'])
     const { at, batch } = inFolder(t, {});
     // Programs with sanitizers take much longer to start.
     const count = isInstrumented ? 16 : 40;
-    const made = writeManyMeshes(at('in'), { count, most: 300, broken: 0.1 });
+    const made = writeManyMeshes(at('in'), {
+      count,
+      most: isInstrumented ? 100 : 300,
+      broken: 0.1,
+    });
     const args = ['batch', 'in', '--out', 'out', '--resume'];
     for (const done of [1 / 8, 3 / 8, 5 / 8]) {
       const { child, finished } = startAbflat(args, { cwd: at() });
@@ -103,7 +109,7 @@ test('the end of a manifest that was cut off is written anew', async (t) => {
 });
 
 test('only one run at a time works in a folder', async (t) => {
-  const { at, batch } = inFolder(t, { 'in/a.obj': objText(torus(200, 100)) });
+  const { at, batch } = inFolder(t, { 'in/a.obj': objText(LONG) });
   const first = startAbflat(['batch', 'in', '--out', 'out'], { cwd: at() });
   await untilLines(at('out/manifest.jsonl'), 0);
   const second = await batch('in', '--out', 'out', '--resume');
@@ -116,12 +122,12 @@ test('a mesh that takes too long ends alone, and is tried again with another lim
   const { at, batch } = inFolder(t, { 'in/a.obj': CUBE, 'in/b.obj': objText(torus(500, 300)) });
   const limited = (seconds, ...args) =>
     batch('in', '--out', 'out', '--time-limit', String(seconds), '--resume', ...args);
-  assert.equal((await limited(isInstrumented ? 20 : 1.5)).code, 1);
+  assert.equal((await limited(isInstrumented ? 12 : 1.5)).code, 1);
   const [small, large] = manifestOf(at('out'));
   assert.equal(small.status, 'done', small.message);
   assert.equal(large.status, 'timeLimit');
   assert.match(large.message, /^took longer than [\d.]+ s$/);
-  assert.match((await limited(isInstrumented ? 20 : 1.5, '--dry-run')).stdout, /^0 to do, 2 done/m);
+  assert.match((await limited(isInstrumented ? 12 : 1.5, '--dry-run')).stdout, /^0 to do, 2 done/m);
   assert.match((await limited(600, '--dry-run')).stdout, /^1 to do, 1 done/m);
   const free = await batch('in', '--out', 'out', '--resume', '--dry-run');
   assert.match(free.stdout, /^1 to do, 1 done/m);

@@ -8,7 +8,7 @@ import { parseObj } from '../support/atlas.mjs';
 import { chartedLayout, lengthOf, minus } from '../support/charted-layout.mjs';
 import { mirroredShare } from '../support/mirrored-share.mjs';
 import { Random } from '../support/random-surfaces.mjs';
-import { runAbflat } from '../support/run-abflat.mjs';
+import { isInstrumented, runAbflat } from '../support/run-abflat.mjs';
 import { sharedMesh, withoutShared } from '../support/shared.mjs';
 import { objText, sphere, together, torus } from '../support/surfaces.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
@@ -63,12 +63,13 @@ async function shareOf(t, surface, plane, ...options) {
 /** About 4 from end to end. */
 const NOISE = 4e-4;
 const TURN = 0.6;
+const ACROSS = isInstrumented ? 16 : 24;
 const CREATURES = {
-  exact: [creature(24), ACROSS_X],
-  'with noise': [shaken(creature(24), NOISE), ACROSS_X],
-  'with faces across the plane': [creature(23), ACROSS_X],
+  exact: [creature(ACROSS), ACROSS_X],
+  'with noise': [shaken(creature(ACROSS), NOISE), ACROSS_X],
+  'with faces across the plane': [creature(ACROSS - 1), ACROSS_X],
   turned: [
-    turned(creature(24), TURN),
+    turned(creature(ACROSS), TURN),
     { normal: [Math.cos(TURN), Math.sin(TURN), 0], distance: 0 },
   ],
 };

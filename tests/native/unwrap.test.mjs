@@ -58,7 +58,7 @@ const GENERATED = {
       ]),
     ),
   'every defect': () => surfaces.defects(),
-  isosurface: () => surfaces.isosurface(isInstrumented ? 12 : 20),
+  isosurface: () => surfaces.isosurface(isInstrumented ? 10 : 20),
   'isosurface with tiny triangles': () =>
     surfaces.withTinyTriangles(surfaces.isosurface(isInstrumented ? 8 : 12)),
 };
@@ -276,7 +276,7 @@ test('less stretch takes more seams', async (t) => {
 
 test('any number of threads writes the same bytes', async (t) => {
   const at = tempFolder(t);
-  const surface = surfaces.isosurface(isInstrumented ? 12 : 24);
+  const surface = surfaces.isosurface(isInstrumented ? 10 : 24);
   const one = await unwrappedSurface(at, surface, '--threads', '1');
   const three = await unwrappedSurface(at, surface, '--threads', '3');
   assert.equal(three.report.threads, 3);

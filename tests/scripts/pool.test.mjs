@@ -76,3 +76,35 @@ test('the records are in the order of the suites, whichever ended first', async 
   );
   assert.deepEqual(shown, ['fast', 'slow']);
 });
+
+test('what repeats others comes last, and is skipped and named once it is late', async () => {
+  const { suites, running, end } = played({
+    again: ['1', '2'],
+    busy: ['3', '4'],
+    page: ['a', 'b'],
+  });
+  suites[0].repeats = true;
+  suites[2].waits = true;
+  let isLate = false;
+  const all = runPool(
+    suites,
+    1,
+    () => undefined,
+    () => isLate,
+  );
+  assert.deepEqual([...running.keys()], ['3', 'a']);
+  await end('3');
+  await end('a');
+  assert.deepEqual([...running.keys()], ['4', 'b']);
+  await end('b');
+  await end('4');
+  assert.deepEqual([...running.keys()], ['1']);
+  isLate = true;
+  await end('1');
+  const [again] = await all;
+  assert.deepEqual(
+    again.parts.map(({ skipped }) => skipped),
+    [undefined, 1],
+  );
+  assert.match(again.parts[1].output, /^2: skipped, since there was no time left/);
+});
