@@ -88,9 +88,9 @@ function summarize(records, times) {
       `${markOf(total).padEnd(7)} ${title.padEnd(34)} ${describe(total)}, ${seconds.toFixed(1)} s`,
     );
   }
-  const late = records.flatMap(({ parts }) => parts).filter(({ isLate }) => isLate);
-  if (late.length > 0)
-    console.log(`Left out for lack of time: ${late.map(({ name }) => name).join(', ')}`);
+  const out = records.flatMap(({ parts }) => parts).filter(({ isLeftOut }) => isLeftOut);
+  if (out.length > 0)
+    console.log(`Left out for lack of time: ${out.map(({ name }) => name).join(', ')}`);
   for (const { name, failed } of records.flatMap(({ parts }) => parts).filter((p) => p.failed > 0))
     console.log(`FAILED  ${name}: ${failed} failed`);
   const sum = add(records.flatMap(({ parts }) => parts));
@@ -103,6 +103,8 @@ await runMain(async () => {
     options: { long: { type: 'boolean', default: false }, minutes: { type: 'string' } },
     allowPositionals: true,
   });
+  const minutes = Number(values.minutes ?? Number.POSITIVE_INFINITY);
+  if (!(minutes >= 0)) throw new Failure(`--minutes takes a number, not "${values.minutes}".`);
   const suites = choose(positionals.length > 0 ? positionals : ['default']);
   const start = performance.now();
   await setup([...new Set(suites.flatMap(({ purposes }) => purposes))]);
@@ -115,8 +117,8 @@ await runMain(async () => {
     jobs: jobsOf(suite, broken, values),
   }));
   const testing = performance.now();
-  const most = Number(values.minutes ?? Number.POSITIVE_INFINITY) * 60;
-  const records = await runPool(runs, Number(JOBS), show, () => secondsSince(start) > most);
+  const isLate = () => secondsSince(start) > minutes * 60;
+  const records = await runPool(runs, Number(JOBS), show, isLate);
   times.push(['all tests', secondsSince(testing)]);
   if (!summarize(records, times)) process.exitCode = 1;
 });

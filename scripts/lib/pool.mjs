@@ -4,8 +4,8 @@
  * Runs `suites` (`{ title, jobs, waits }`), at most `slots` jobs at a time and in order, so that
  * the first jobs of one suite fill the gaps left by the last ones of another. Jobs of a suite that
  * mostly `waits` run one at a time beside the others, and use their slots once those are done. Those
- * of a suite that `repeats` what another runs, too, come last; what has not begun when `isLate` is
- * skipped, and says so. A job is `{ name, run }`; `run` resolves to `{ passed, failed, skipped,
+ * of a suite that `repeats` the tests of another come last; one that would begin once `isLate` is
+ * skipped instead, and says so. A job is `{ name, run }`; `run` resolves to `{ passed, failed, skipped,
  * output }`. `show` is called with each suite when it is complete: `{ title, parts }`, where a part
  * holds a job's name, result and seconds. Resolves to all of these in the order of the suites.
  */
@@ -23,8 +23,8 @@ export async function runPool(suites, slots, show, isLate = () => false) {
     const take = () => queues.find((queue) => queue.length > 0)?.shift();
     for (let next = take(); next !== undefined; next = take()) {
       const record = records[next.suite];
-      const isLeft = suites[next.suite].repeats && isLate();
-      record.parts[next.part] = isLeft ? left(next.job) : await timed(next.job);
+      const isOut = suites[next.suite].repeats && isLate();
+      record.parts[next.part] = isOut ? leftOut(next.job) : await timed(next.job);
       record.left -= 1;
       if (record.left === 0) show(record);
     }
@@ -35,10 +35,10 @@ export async function runPool(suites, slots, show, isLate = () => false) {
   return records;
 }
 
-const left = ({ name }) => ({
-  ...{ name, passed: 0, failed: 0, skipped: 1, seconds: 0, isLate: true },
-  output: `${name}: skipped, since there was no time left. Others run the same tests.\n`,
-});
+function leftOut({ name }) {
+  const output = `${name}: skipped for lack of time. Another suite runs the same tests.\n`;
+  return { name, passed: 0, failed: 0, skipped: 1, output, seconds: 0, isLeftOut: true };
+}
 
 async function timed({ name, run }) {
   const started = performance.now();

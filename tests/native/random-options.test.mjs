@@ -13,7 +13,7 @@ import { SCHEMA } from '../support/schema.mjs';
 import { judgeStacks } from '../support/stacks.mjs';
 import { tempFolder } from '../support/temp-folder.mjs';
 
-const RUNS = Number(process.env.ABFLAT_FUZZ_RUNS ?? (isInstrumented ? 14 : 60));
+const RUNS = Number(process.env.ABFLAT_FUZZ_RUNS ?? (isInstrumented ? 20 : 60));
 const FIRST = Number(process.env.ABFLAT_FUZZ_SEED ?? 0);
 
 const limited = (limits) => ['bash', '-c', `ulimit ${limits}; exec "$@"`, 'limited'];

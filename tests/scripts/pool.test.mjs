@@ -106,5 +106,5 @@ test('what repeats others comes last, and is skipped and named once it is late',
     again.parts.map(({ skipped }) => skipped),
     [undefined, 1],
   );
-  assert.match(again.parts[1].output, /^2: skipped, since there was no time left/);
+  assert.match(again.parts[1].output, /^2: skipped for lack of time/);
 });
