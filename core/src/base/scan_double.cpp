@@ -85,10 +85,10 @@ Scanned scanUnsigned(const char* begin, const char* end) {
 }
 
 /// a * b as a sum of two doubles (Dekker 1971).
-struct Product {
+struct ExactProduct {
   double high, low;
 
-  Product(double a, double b) : high(a * b) {
+  ExactProduct(double a, double b) : high(a * b) {
     constexpr double kSplit = 134217729;  // 2^27 + 1
     const auto upper = [](double x) { return kSplit * x - (kSplit * x - x); };
     const double a1 = upper(a), a2 = a - a1, b1 = upper(b), b2 = b - b1;
@@ -111,11 +111,11 @@ bool roundShort(const Scanned& s, double& value) {
   double first, rest, error;
   if (s.power < 0) {
     first = high / power;
-    const Product back(first, power);
+    const ExactProduct back(first, power);
     rest = (high - back.high - back.low + low) / power;
     error = std::abs(rest);
   } else {
-    const Product product(high, power);
+    const ExactProduct product(high, power);
     const double small = low * power;
     first = product.high;
     rest = product.low + small;

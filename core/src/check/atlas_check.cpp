@@ -13,7 +13,7 @@ namespace {
 
 /// After each round of the overlap search, the charts found are left out and the rest is searched
 /// again.
-constexpr int kMostRounds = 50;
+constexpr int kMostShrinks = 50;
 
 struct ChartBox {
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
@@ -50,7 +50,7 @@ class AtlasChecker {
       if (isOnChecked(c)) isWanted_[c] = 0;
     const bool mayTouch =
         std::find(atlas_.mayTouch.begin(), atlas_.mayTouch.end(), 1) != atlas_.mayTouch.end();
-    for (int round = 0; round < kMostRounds; ++round)
+    for (int round = 0; round < kMostShrinks; ++round)
       if (!(mayTouch ? findPair() : findPairOfCurves())) break;
     reportStacked();
     sortStably(out_, [](const ChartDefect& a, const ChartDefect& b) { return a.chart < b.chart; });

@@ -10,7 +10,7 @@ namespace abflat {
 namespace {
 
 /// An edge of a triangle, stored at the smaller of its two texcoords.
-struct Side {
+struct EdgeSide {
   std::uint32_t other, chart;
   bool isUp;  ///< runs from the smaller texcoord to the larger
 };
@@ -54,13 +54,14 @@ class BoundaryFinder {
     forSides([&](std::uint32_t a, std::uint32_t b, std::uint32_t) { ++begin[std::min(a, b) + 1]; });
     for (std::size_t p = 0; p < next_.size(); ++p) begin[p + 1] += begin[p];
     std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
-    std::vector<Side> sides(begin.back());
+    std::vector<EdgeSide> sides(begin.back());
     forSides([&](std::uint32_t a, std::uint32_t b, std::uint32_t chart) {
       sides[fill[std::min(a, b)]++] = {std::max(a, b), chart, a < b};
     });
     for (std::uint32_t p = 0; p < next_.size(); ++p) {
       const auto first = sides.begin() + begin[p], last = sides.begin() + begin[p + 1];
-      std::sort(first, last, [](const Side& a, const Side& b) { return a.other < b.other; });
+      std::sort(first, last,
+                [](const EdgeSide& a, const EdgeSide& b) { return a.other < b.other; });
       for (auto s = first, end = first; s != last; s = end) {
         int open = 0;
         for (; end != last && end->other == s->other; ++end) open += end->isUp ? 1 : -1;

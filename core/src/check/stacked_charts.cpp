@@ -12,7 +12,7 @@
 namespace abflat {
 namespace {
 
-using Box = std::array<double, 4>;
+using UvBox = std::array<double, 4>;
 using Edge = std::array<double, 4>;  ///< from one point to another
 
 /// The edges of an outline, sorted.
@@ -68,10 +68,10 @@ class StackFinder {
 
   /// Marks charts with the same box as another one.
   void groupBoxes() {
-    std::vector<Box> boxes(sameBox_.size(), {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL});
+    std::vector<UvBox> boxes(sameBox_.size(), {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL});
     for (std::size_t t = 0; t < chartOf_.size(); ++t) {
       if (chartOf_[t] >= boxes.size() || isEmpty(t)) continue;
-      Box& box = boxes[chartOf_[t]];
+      UvBox& box = boxes[chartOf_[t]];
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t d = 0; d < 2; ++d) {
           const double x = at(triangles_[3 * t + k])[d];

@@ -16,10 +16,10 @@ namespace {
 constexpr double kQuarter = kPi / 2, kDegree = kPi / 180;
 
 /// An edge of the outline in the layout.
-struct Side {
+struct RunSide {
   double angle = 0, length = 0;
 };
-using Sides = IdVector<BoundaryIndex, Side>;
+using Sides = IdVector<BoundaryIndex, RunSide>;
 /// Per edge of the outline, the direction that it stands for, in quarter turns.
 using Directions = IdVector<BoundaryIndex, std::uint8_t>;
 
@@ -43,7 +43,7 @@ struct Axis {
 };
 Axis axisOf(const Sides& sides, double length) {
   double x = 0, y = 0;
-  for (const Side& side : sides) {
+  for (const RunSide& side : sides) {
     const portable::SinCos by = portable::sinCos(4 * side.angle);
     x += side.length * by.cos;
     y += side.length * by.sin;
@@ -191,12 +191,12 @@ LevelRuns findLevelRuns(const DiskChart& chart, const std::vector<double>& uv,
   LevelRuns out;
   Sides sides = sidesOf(chart, uv);
   double length = 0;
-  for (const Side& side : sides) length += side.length;
+  for (const RunSide& side : sides) length += side.length;
   if (!(length > 0) || sides.size() < 4) return out;
   const Axis axis = axisOf(sides, length);
   if (axis.agreement < limits.leastAgreement) return out;
   out.turn = -axis.angle;
-  for (Side& side : sides) side.angle -= axis.angle;
+  for (RunSide& side : sides) side.angle -= axis.angle;
   const Directions directions = Polygon(chart, sides, length).directions();
   if (directions.empty()) return out;
   for (const BoundaryIndex i : directions.ids()) {
