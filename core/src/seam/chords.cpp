@@ -9,6 +9,8 @@ namespace {
 /// Of a chart's area; less is next to nothing.
 constexpr double kNotableShare = 0.02;
 
+double lengthForArea(const Chord& c) { return c.length / std::sqrt(std::min(c.left, c.right)); }
+
 }  // namespace
 
 ChordFinder::ChordFinder(const CutPaths& paths)
@@ -97,7 +99,7 @@ Chord ChordFinder::bestApart(CutChartId chart,
   for (std::size_t i = 1; i < order_.size(); ++i) {
     Chord c = chordAt(parent_[order_[i]], chart, leastShare);
     if (!c.h.exists()) continue;
-    const double score = c.length / std::sqrt(std::min(c.left, c.right));
+    const double score = lengthForArea(c);
     if (best.h.exists() && score >= bestScore) continue;
     c.resolved = resolvedShare(c.h, pairs);
     if (!(c.resolved > 0) || (best.h.exists() && score / c.resolved >= bestScore)) continue;
@@ -110,8 +112,12 @@ Chord ChordFinder::bestApart(CutChartId chart,
 Chord ChordFinder::apart(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs) {
   walk(chart);
   numberLoop(chart);
-  const Chord most = bestApart(chart, pairs, kNotableShare);
-  return most.h.exists() ? most : bestApart(chart, pairs, 0);
+  // A scrap is better than a seam that costs many times as much, through a flat face, say.
+  constexpr double kManyTimes = 5;
+  const Chord notable = bestApart(chart, pairs, kNotableShare), any = bestApart(chart, pairs, 0);
+  const auto scoreOf = [](const Chord& c) { return lengthForArea(c) / c.resolved; };
+  const bool isWorth = notable.h.exists() && scoreOf(notable) < kManyTimes * scoreOf(any);
+  return isWorth ? notable : any;
 }
 
 Chord ChordFinder::forHalving(CutChartId chart) {

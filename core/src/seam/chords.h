@@ -27,8 +27,8 @@ class ChordFinder {
   Chord best(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs);
 
   /// The chord with the least length / sqrt(smaller area) for the share of the given pairs that it
-  /// separates, if possible one that cuts off more than next to nothing. h is none if none
-  /// separates any.
+  /// separates; one that cuts off more than next to nothing unless that takes many times as much.
+  /// h is none if none separates any.
   Chord apart(CutChartId chart, const std::vector<std::array<BoundaryIndex, 2>>& pairs);
 
   /// The best chord, or if all of them would cut off next to nothing, the one that cuts off most.

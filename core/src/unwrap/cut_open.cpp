@@ -1,5 +1,6 @@
 #include "unwrap/cut_open.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -54,17 +55,23 @@ EliminationRanks ranksOf(const OpenSurface& open, std::size_t vertices, const Op
   return out;
 }
 
+/// How far beyond 1 a search may go. `asked`: by the options.
+double beyondOne(SeamBound bound, double asked, const UnwrapOptions& options) {
+  // How much stretch refining leaves is only known to about a third, and cutting again takes
+  // another run.
+  constexpr double kShare = 0.85, kTighter = 0.5, kExact = 2e-4;
+  const double first = options.balance > 0 ? kShare * asked : asked;
+  if (bound == SeamBound::Exact) return std::min(first, kExact);
+  return bound == SeamBound::Tighter ? kTighter * first : first;
+}
+
 OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const SeamVariant& variant,
                      const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
                      SeamReport& found) {
   OpenSurface open = openAndFill(uncut, asked, options, listener);
   SeamOptions toBegin = seamOptions(options, open, pool, listener, variant.costs);
-  // How much stretch refining leaves is only known to about a third, and cutting again takes
-  // another run.
-  constexpr double kShare = 0.85, kTighter = 0.5;
-  if (options.balance > 0) toBegin.maxStretch = 1 + kShare * (toBegin.maxStretch - 1);
+  toBegin.maxStretch = 1 + beyondOne(variant.bound, toBegin.maxStretch - 1, options);
   toBegin.isAuto = toBegin.isAuto && !variant.isUncut;
-  if (variant.isTighter) toBegin.maxStretch = 1 + kTighter * (toBegin.maxStretch - 1);
   if (variant.before)
     toBegin.eliminationRanks = ranksOf(*variant.before, uncut.welded.mesh.vertexCount(), open);
   // Symmetric seams that were not preferable hardly ever become so.

@@ -5,10 +5,17 @@
 
 namespace abflat {
 
+/// How far charts may be stretched where a search begins.
+enum class SeamBound {
+  Asked,
+  Tighter,  ///< half as far beyond 1
+  Exact,    ///< not at all: only what unrolls is a chart
+};
+
 /// Which of several searches for seams it is.
 struct SeamVariant {
-  int costs = 0;                        ///< see varyCosts
-  bool isTighter = false;               ///< within half the bound of the stretch
+  int costs = 0;  ///< see varyCosts
+  SeamBound bound = SeamBound::Asked;
   bool isUncut = false;                 ///< only what is needed to lie flat, however stretched
   const OpenSurface* before = nullptr;  ///< what another search found; null: this is the first one
 };

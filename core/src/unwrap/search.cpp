@@ -18,6 +18,16 @@ constexpr int kMostFruitless = 3;
 /// How likely a search for the front is made after one that found seams there.
 constexpr double kStillCut = 0.75;
 
+/// Whether it only differs in costs.
+bool isVaried(const SeamVariant& variant) {
+  return variant.bound == SeamBound::Asked && !isForFront(variant);
+}
+
+/// Whether it says how likely another is to find better seams.
+bool isCounted(const SeamVariant& variant) {
+  return variant.bound != SeamBound::Exact && !isForFront(variant);
+}
+
 /// How many searches are expected, each of which may be the last.
 class Expected {
  public:
@@ -29,15 +39,16 @@ class Expected {
   double from(std::size_t k, int fruitless) const {
     if (k == variants_.size()) return 0;
     if (isForFront(variants_[k])) return front_ + after(k, fruitless);
-    const bool isLeftOut = fruitless >= kMostFruitless && !variants_[k].isTighter;
+    if (variants_[k].bound == SeamBound::Exact) return after(k, fruitless);  // rarely made
+    const bool isLeftOut = fruitless >= kMostFruitless && isVaried(variants_[k]);
     return isLeftOut ? from(k + 1, fruitless) : 1 + after(k, fruitless);
   }
 
   /// After one of them.
   double after(std::size_t k, int fruitless) const {
-    if (isForFront(variants_[k])) return from(k + 1, fruitless);
+    if (!isCounted(variants_[k])) return from(k + 1, fruitless);
     // How often one finds better seams, by measurement.
-    const double better = variants_[k].isTighter ? 0.05 : 0.25;
+    const double better = isVaried(variants_[k]) ? 0.25 : 0.05;
     return better * from(k + 1, 0) + (1 - better) * from(k + 1, fruitless + 1);
   }
 
@@ -64,9 +75,9 @@ Status tryOthers(const SearchInput& input, const std::vector<SeamVariant>& varia
   int fruitless = isSettled(with.options, best) ? kMostFruitless : 0;
   for (std::size_t k = 0; k < variants.size(); ++k) {
     SeamVariant variant = variants[k];
-    if (fruitless >= kMostFruitless && !variant.isTighter) continue;
-    const bool isFront = isForFront(variant);
-    if (isFront && !isCutInFront(best.open)) continue;
+    if (fruitless >= kMostFruitless && isVaried(variant)) continue;
+    if (isForFront(variant) && !isCutInFront(best.open)) continue;
+    if (variant.bound == SeamBound::Exact && !hasWarpedBlocks(with.options, best)) continue;
     passes.next(Expected(variants, kStillCut).after(k, fruitless));
     with.listener = passes.layouts().at(Stage::Solve);
     FlatCut other;
@@ -78,7 +89,7 @@ Status tryOthers(const SearchInput& input, const std::vector<SeamVariant>& varia
     if (with.listener.isStopped()) break;
     const bool isBetter =
         !other.isGivenUp && takeBetter(input.uncut.welded, with.options, best, other);
-    if (!isFront) fruitless = isBetter ? 0 : fruitless + 1;
+    if (isCounted(variant)) fruitless = isBetter ? 0 : fruitless + 1;
   }
   return {};
 }

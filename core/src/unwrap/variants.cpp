@@ -6,6 +6,7 @@
 
 #include "seam/occlusion.h"
 #include "seam/vary_costs.h"
+#include "unwrap/blocks.h"
 #include "unwrap/pieces.h"
 #include "unwrap/right_angled.h"
 #include "unwrap/stretch.h"
@@ -32,6 +33,7 @@ class CutValue {
         parts_(whole_.charts.size(), {}) {}
   CutValue(const FlatCut& cut, const UnwrapOptionValues& options) : CutValue(cut.open) {
     addCharts(cut.charts, options);
+    addForWarpedBlocks();
   }
 
   /// Where seams are hidden they are cheaper; where their cost counts, so does their length.
@@ -54,7 +56,7 @@ class CutValue {
 
   const CutSurface& whole() const { return whole_; }
   /// What seams, charts and their stretch cost, relative to a component's own size.
-  double cost(CutChartId part) const { return parts_[part].cost; }
+  double cost(CutChartId part) const { return parts_[part].factor * parts_[part].cost; }
   /// Where a component nearly unrolls, its creases say where it is cut best.
   bool unrolls(CutChartId part) const { return parts_[part].beyond <= 3e-4; }
   /// Whether a component has clearly better seams than another that nearly unrolls: it does so as
@@ -63,9 +65,15 @@ class CutValue {
   bool unrollsBetter(CutChartId part, const CutValue& other) const {
     constexpr double kClearlyLess = 0.98, kRounding = 1e-6;
     const Part &now = parts_[part], &before = other.parts_[part];
-    return unrolls(part) && now.cost < before.cost && now.length < kClearlyLess * before.length &&
-           now.inFlat <= before.inFlat + kRounding &&
+    return unrolls(part) && cost(part) < other.cost(part) &&
+           now.length < kClearlyLess * before.length && now.inFlat <= before.inFlat + kRounding &&
            now.outline.share() > before.outline.share() - kRounding;
+  }
+  bool isWarped(CutChartId part) const { return parts_[part].isOfBlocks && !unrolls(part); }
+  bool hasWarped() const {
+    for (const CutChartId c : parts_.ids())
+      if (isWarped(c)) return true;
+    return false;
   }
   bool unrolls() const {
     for (const CutChartId c : parts_.ids())
@@ -74,18 +82,19 @@ class CutValue {
   }
   double total() const {
     double sum = 0;
-    for (const CutChartId c : parts_.ids())
-      sum += parts_[c].cost * std::sqrt(whole_.charts[c].area);
+    for (const CutChartId c : parts_.ids()) sum += cost(c) * std::sqrt(whole_.charts[c].area);
     return sum;
   }
 
  private:
   struct Part {
     double cost = 0;
+    double factor = 1;  ///< of it
     double length = 0;  ///< of seams, counted on both sides
     double inFlat = 0;  ///< the part of it in flat faces
     double beyond = 0;  ///< beyond 1, of the mean stretch
     RightAngled outline;
+    bool isOfBlocks = false;
   };
 
   void addCharts(const LaidCharts& charts, const UnwrapOptionValues& options) {
@@ -105,6 +114,17 @@ class CutValue {
                             (isBad ? kBad : 0));
       if (flat.problem.empty()) part.outline += rightAngled(charts.set.topology(i), flat.unpacked);
       part.beyond += share * (isBad ? HUGE_VAL : stretch - 1);
+    }
+  }
+
+  /// Whoever sees blocks expects their faces as they are, if that takes no more than some seams.
+  void addForWarpedBlocks() {
+    constexpr double kWarped = 1.6;
+    if (unrolls()) return;
+    const IdVector<CutChartId, std::uint8_t> isOfBlocks = areBlocks(mesh_, whole_);
+    for (const CutChartId c : parts_.ids()) {
+      parts_[c].isOfBlocks = isOfBlocks[c];
+      if (isWarped(c)) parts_[c].factor = kWarped;
     }
   }
 
@@ -176,7 +196,8 @@ std::vector<SeamVariant> variantsWorth(std::size_t triangles, double inFront, bo
   if (inFront >= kLeastInFront && triangles <= kMostWithFront)
     for (int k = 1; k <= kFrontVariants; ++k) out.push_back({kCostVariants + k});
   const std::size_t others = triangles == 0 ? 0 : kTriangles / triangles;
-  if (others > 0) out.push_back({0, true});
+  if (others > 0) out.push_back({0, SeamBound::Tighter});
+  if (others > 0) out.push_back({0, SeamBound::Exact});
   for (int k = 1; k <= static_cast<int>(std::min<std::size_t>(others, kCostVariants)); ++k)
     out.push_back({k});
   return out;
@@ -197,6 +218,10 @@ bool hasMask(const OpenSurface& open) {
 
 double costOf(const UnwrapOptionValues& options, FlatCut& cut) {
   return valueOf(cut, options).total();
+}
+
+bool hasWarpedBlocks(const UnwrapOptionValues& options, const FlatCut& cut) {
+  return CutValue(cut, options).hasWarped();
 }
 
 bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut) {

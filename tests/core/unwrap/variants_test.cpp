@@ -116,7 +116,7 @@ TEST_CASE("seams that cost more than others with all their charts are hopeless",
 TEST_CASE("the larger a surface, the fewer searches", "[unwrap]") {
   CHECK(variantsWorth(0, 0).empty());
   CHECK(variantsWorth(100, 0).size() > variantsWorth(6000, 0).size());
-  CHECK(variantsWorth(20'000, 0).front().isTighter);
+  CHECK(variantsWorth(20'000, 0).front().bound == SeamBound::Tighter);
   CHECK(variantsWorth(50'000, 0.001).empty());
   CHECK(variantsWorth(50'000, 0.1).size() == kFrontVariants);
   CHECK(variantsWorth(50'000, 0.1, true).size() == kFrontVariants + 1);
