@@ -76,8 +76,7 @@ Chord ChordFinder::best(CutChartId chart, const std::vector<std::array<BoundaryI
     const SurfaceCorner h = parent_[order_[i]];
     Chord c = chordAt(h, chart, kNotableShare);
     if (!c.h.exists()) continue;
-    const double smaller = std::min(c.left, c.right);
-    double score = c.length / std::sqrt(smaller);
+    double score = lengthForArea(c);
     if (best.h.exists() && score >= bestScore) continue;
     constexpr double kUnresolved = 3;  // a chord that resolves all pairs may be this much longer
     c.resolved = pairs.empty() ? 1 : resolvedShare(h, pairs);

@@ -1,6 +1,5 @@
 #include "unwrap/blocks.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -33,7 +33,7 @@ class CutValue {
         parts_(whole_.charts.size(), {}) {}
   CutValue(const FlatCut& cut, const UnwrapOptionValues& options) : CutValue(cut.open) {
     addCharts(cut.charts, options);
-    addForWarpedBlocks();
+    findBlocks();
   }
 
   /// Where seams are hidden they are cheaper; where their cost counts, so does their length.
@@ -55,8 +55,12 @@ class CutValue {
   }
 
   const CutSurface& whole() const { return whole_; }
-  /// What seams, charts and their stretch cost, relative to a component's own size.
-  double cost(CutChartId part) const { return parts_[part].factor * parts_[part].cost; }
+  /// What seams, charts and their stretch cost, relative to a component's own size. Warped blocks
+  /// cost more: their faces should lie as they are unless that takes many seams.
+  double cost(CutChartId part) const {
+    constexpr double kWarped = 1.6;
+    return (isWarped(part) ? kWarped : 1) * parts_[part].cost;
+  }
   /// Where a component nearly unrolls, its creases say where it is cut best.
   bool unrolls(CutChartId part) const { return parts_[part].beyond <= 3e-4; }
   /// Whether a component has clearly better seams than another that nearly unrolls: it does so as
@@ -65,8 +69,8 @@ class CutValue {
   bool unrollsBetter(CutChartId part, const CutValue& other) const {
     constexpr double kClearlyLess = 0.98, kRounding = 1e-6;
     const Part &now = parts_[part], &before = other.parts_[part];
-    return unrolls(part) && cost(part) < other.cost(part) &&
-           now.length < kClearlyLess * before.length && now.inFlat <= before.inFlat + kRounding &&
+    return unrolls(part) && now.cost < before.cost && now.length < kClearlyLess * before.length &&
+           now.inFlat <= before.inFlat + kRounding &&
            now.outline.share() > before.outline.share() - kRounding;
   }
   bool isWarped(CutChartId part) const { return parts_[part].isOfBlocks && !unrolls(part); }
@@ -89,12 +93,11 @@ class CutValue {
  private:
   struct Part {
     double cost = 0;
-    double factor = 1;  ///< of it
     double length = 0;  ///< of seams, counted on both sides
     double inFlat = 0;  ///< the part of it in flat faces
     double beyond = 0;  ///< beyond 1, of the mean stretch
     RightAngled outline;
-    bool isOfBlocks = false;
+    bool isOfBlocks = false;  ///< only known where some component does not unroll
   };
 
   void addCharts(const LaidCharts& charts, const UnwrapOptionValues& options) {
@@ -117,15 +120,10 @@ class CutValue {
     }
   }
 
-  /// Whoever sees blocks expects their faces as they are, if that takes no more than some seams.
-  void addForWarpedBlocks() {
-    constexpr double kWarped = 1.6;
+  void findBlocks() {
     if (unrolls()) return;
     const IdVector<CutChartId, std::uint8_t> isOfBlocks = areBlocks(mesh_, whole_);
-    for (const CutChartId c : parts_.ids()) {
-      parts_[c].isOfBlocks = isOfBlocks[c];
-      if (isWarped(c)) parts_[c].factor = kWarped;
-    }
+    for (const CutChartId c : parts_.ids()) parts_[c].isOfBlocks = isOfBlocks[c];
   }
 
   const SeamMesh& mesh_;
