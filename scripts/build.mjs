@@ -117,6 +117,8 @@ export async function buildWeb() {
     'wasm/package.json',
     'wasm/build.mjs',
     'wasm/modules.mjs',
+    'wasm/function-order.mjs',
+    'wasm/module-code.mjs',
     'wasm/src',
     ...WASM_MODULES,
   ];

@@ -5,6 +5,8 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { transformSync } from 'esbuild';
+import { orderOfLike } from './function-order.mjs';
+import { reordered } from './module-code.mjs';
 
 const BUILD = join(dirname(fileURLToPath(import.meta.url)), '../build');
 /**
@@ -128,7 +130,8 @@ export function placeModules(dist, builds = BUILDS) {
 
 function place(dist, module, { label, name }) {
   const read = (ending) => readFileSync(pathOf(module, ending), 'utf8');
-  const wasm = readFileSync(pathOf(module, '.wasm'));
+  const built = readFileSync(pathOf(module, '.wasm'));
+  const wasm = reordered(built, orderOfLike(built));
   writeFileSync(join(dist, `${name}.wasm`), labelled(wasm, label));
   // Not .mjs, which some servers send without a content type.
   writeFileSync(join(dist, `${name}.js`), ownScript(read('.mjs'), module.built, name));
