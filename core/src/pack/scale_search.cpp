@@ -12,8 +12,9 @@ namespace abflat {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Charts that lie level and upright are worth a texel density that is this many times smaller.
-constexpr double kWorthOfTidiness = 1.03;
+/// Charts that lie level and upright are worth a texel density that is this many times smaller;
+/// where there are few, each of which is seen.
+constexpr double kWorthOfTidiness = 1.03, kWorthOfFewTidy = 1.05;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// The search on a single grid.
@@ -86,8 +87,8 @@ class Search {
   /// are worth. kNone, with nothing changed, if no strategy fits there.
   std::size_t settle(const std::vector<PlaceStrategy>& strategies, double step) {
     const std::size_t count = strategies.size();
-    const std::size_t fitting =
-        attempt(out_.texelsPerUnit / kWorthOfTidiness, strategies, 0, count);
+    const double worth = items_.size() <= kFewItems ? kWorthOfFewTidy : kWorthOfTidiness;
+    const std::size_t fitting = attempt(out_.texelsPerUnit / worth, strategies, 0, count);
     return fitting == kNone ? kNone : climb(strategies, fitting, count, step);
   }
 

@@ -41,7 +41,7 @@ struct PackOptionValues {
   bool udim = false;
   /// stretch level islands to whole texels, so that their sides lie on borders of texels
   bool snapToTexels = false;
-  /// how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all
+  /// how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more, with up to 40 charts 5 %; quarter = by quarter turns only; none = not at all
   Rotate rotate = Rotate::Auto;
   /// how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale
   IslandSizes islandSizes = IslandSizes::Keep;
@@ -59,7 +59,7 @@ inline OptionInfos optionInfos(const PackOptionValues&) {
     {"texelDensity", "--texel-density", "auto", "above 0, or auto", "texels per mesh unit; use the same value for meshes that belong together (auto = as many as fit in one tile)", false, false},
     {"udim", "--udim", "false", "", "use as many UDIM tiles as the texel density needs: from 1001 on, ten per row, u from 0 to 10", true, false},
     {"snapToTexels", "--snap-to-texels", "false", "", "stretch level islands to whole texels, so that their sides lie on borders of texels", true, false},
-    {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more; quarter = by quarter turns only; none = not at all", false, true},
+    {"rotate", "--rotate", "auto", "auto, free, quarter, none", "how islands are turned from how they lie to pack tighter: auto = by quarter turns, and charts whose outlines are not straight by any angle where that gains 4 % texels per unit or more; free = by any angle where that gains 3 % texels per unit or more, with up to 40 charts 5 %; quarter = by quarter turns only; none = not at all", false, true},
     {"islandSizes", "--island-sizes", "keep", "keep, even", "how large islands are beside each other: keep = as large to each other as they are; even = the same texel density for all; islands that lie on each other share one scale", false, true},
     {"keepPlaces", "--keep-places", "false", "", "islands stay where they are, and the layout is only judged; of the other options only resolution and udim count then", true, false},
     {"threads", "--threads", "0", "at least 0 and at most 256, whole", "maximum number of threads, 0 for one per processor; results do not depend on it; small meshes use fewer, and builds without threads use one", false, false},
