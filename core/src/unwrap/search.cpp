@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "unwrap/cut_open.h"
+#include "unwrap/flat_faces.h"
 #include "unwrap/known.h"
 #include "unwrap/layouts.h"
 #include "unwrap/pieces.h"
@@ -113,6 +114,22 @@ Status joinSmall(const CutFlattener& flattener, FlatCut& cut) {
   return {};
 }
 
+/// Flat faces that their charts bend get charts of their own. Where only lengths count nobody looks
+/// at them.
+Status freeFlatFaces(const CutFlattener& flattener, FlatCut& cut) {
+  const FlattenSettings& with = flattener.settings();
+  if (!canCut(with.options) || with.options.seamCosts == SeamCosts::Length ||
+      with.listener.isStopped())
+    return {};
+  const Seams seams = cutOutFlatFaces(cut.charts, cut.open);
+  if (seams.empty()) return {};
+  LaidCharts before;
+  if (Status s = flattener.takeChartsAnew(cut, before); !s.ok()) return s;
+  if (Status s = flattener.layOut(cut); !s.ok()) return s;
+  if (with.listener.isStopped()) return {};
+  return flattener.takeBack(before, worseCutOut(before, cut.charts, with.options), seams, cut);
+}
+
 /// Charts that pins and what is known say nothing about keep their layout.
 Status layOutAsAsked(const CutFlattener& flattener, FlatCut& cut) {
   const FlattenSettings& with = flattener.settings();
@@ -146,6 +163,7 @@ Status searchMore(const SearchInput& input, const std::vector<SeamVariant>& vari
   searching.rival = &cut;
   if (Status s = tryOthers(input, variants, searching, std::move(passes), cut); !s.ok()) return s;
   if (Status s = joinSmall(CutFlattener(searching), cut); !s.ok()) return s;
+  if (Status s = freeFlatFaces(CutFlattener(searching), cut); !s.ok()) return s;
   return settings.listener.isStopped() ? Status() : layOutAsAsked(CutFlattener(settings), cut);
 }
 
