@@ -9,11 +9,6 @@
 namespace abflat {
 namespace {
 
-/// Plates that make up less of the surface are not worth a second search: steps and dirt have flat
-/// spots with holes, too.
-constexpr double kLeastShare = 1e-3;
-constexpr double kCrease = 0.8660254;  // cosine of 30 degrees
-
 class Plates {
  public:
   explicit Plates(const SeamMesh& mesh) : mesh_(mesh), regions_(mesh) {}
@@ -34,6 +29,11 @@ class Plates {
   }
 
  private:
+  static constexpr double kCrease = 0.8660254;  // cosine of 30 degrees
+  /// Plates that make up less of the surface are not worth a second search: steps and dirt have
+  /// flat spots with holes, too.
+  static constexpr double kLeastShare = 1e-3;
+
   /// Regions whose Euler characteristic, 2 less the number of boundary loops, tells of several
   /// holes.
   std::vector<std::uint8_t> plates() const {
