@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mesh/triangle_geometry.h"
+#include "cut/mesh_parts.h"
 
 namespace abflat {
 

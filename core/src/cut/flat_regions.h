@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cut/surface_mesh.h"
+#include "mesh/triangle_geometry.h"
 
 namespace abflat {
 
