@@ -53,7 +53,7 @@ class Reader {
 }
 
 /** The bytes of an unsigned number. */
-export function encoded(value) {
+function encoded(value) {
   const out = [];
   let rest = value;
   for (; rest >= 128; rest = Math.floor(rest / 128)) out.push((rest % 128) + 128);

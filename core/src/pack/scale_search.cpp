@@ -12,8 +12,8 @@ namespace abflat {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Charts that lie level and upright are worth a texel density that is this many times smaller;
-/// where there are few, each of which is seen.
+/// Charts that lie level and upright are worth a texel density that is this many times smaller. Of
+/// few charts each is seen, so these are worth more.
 constexpr double kWorthOfTidiness = 1.03, kWorthOfFewTidy = 1.05;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 

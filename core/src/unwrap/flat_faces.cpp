@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "cut/flat_regions.h"
+#include "hole/fill_holes.h"
 #include "unwrap/stretch.h"
 
 namespace abflat {
 namespace {
-
-constexpr double kUnrolled = 1 + 1e-6;
 
 /// A flat face, and how it lies in its chart.
 struct FlatFace {
@@ -59,8 +58,7 @@ class FlatFaces {
     if (!face.isHeld || face.isInSeveral || !face.isByCreases || face.area < kLeastShare * area)
       return false;
     const FlatChart& flat = charts_.flat[face.chart];
-    return flat.problem.empty() && !flat.isFixed &&
-           flat.distortion.symmetricDirichlet > kUnrolled && face.bent() > kBent &&
+    return flat.problem.empty() && !flat.isFixed && face.bent() > kBent &&
            face.cost <= kWorth * std::sqrt(face.area);
   }
 
@@ -98,7 +96,8 @@ class FlatFaces {
 
 }  // namespace
 
-Seams cutOutFlatFaces(const LaidCharts& charts, OpenSurface& open) {
+Seams cutOutFlatFaces(const LaidCharts& charts, const UnwrapOptionValues& options,
+                      OpenSurface& open) {
   open.seams.resize(open.mesh.twin.size(), 0);
   const std::vector<SurfaceCorner> found = FlatFaces(charts, open).seams();
   if (found.empty()) return {};
@@ -119,7 +118,9 @@ Seams cutOutFlatFaces(const LaidCharts& charts, OpenSurface& open) {
     if (!isTaken) set(h, 0);
     isAny |= isTaken;
   }
-  return isAny ? before : Seams();
+  if (!isAny) return {};
+  openTouchedHoles(open.mesh, cutAlong(open.mesh, open.seams), options.fillHoles, open.seams);
+  return before;
 }
 
 IdVector<ChartId, std::uint8_t> worseCutOut(const LaidCharts& before, const LaidCharts& now,

@@ -95,39 +95,47 @@ Status tryOthers(const SearchInput& input, const std::vector<SeamVariant>& varia
   return {};
 }
 
+/// Lays out what has other seams now. The charts before that `refused` names, of these and the
+/// present ones, get `seams` back, which they had.
+template <class Refused>
+Status layOutChanged(const CutFlattener& flattener, const Seams& seams, const Refused& refused,
+                     FlatCut& cut) {
+  LaidCharts before;
+  if (Status s = flattener.takeChartsAnew(cut, before); !s.ok()) return s;
+  if (Status s = flattener.layOut(cut); !s.ok()) return s;
+  if (flattener.settings().listener.isStopped()) return {};
+  return flattener.takeBack(before, refused(before, cut.charts), seams, cut);
+}
+
 /// Joins charts that are too small to be worth a seam, where the bounds allow it.
 Status joinSmall(const CutFlattener& flattener, FlatCut& cut) {
   constexpr int kMostRounds = 6;
   const FlattenSettings& with = flattener.settings();
   SmallCharts small;
+  const auto refused = [&](const LaidCharts& before, const LaidCharts& now) {
+    return small.refused(before, now, with.options, cut.open.mirror);
+  };
   for (int k = 0; k < kMostRounds && canCut(with.options) && !with.listener.isStopped(); ++k) {
     const Seams seams = small.join(cut.charts, with.options, cut.open);
     if (seams.empty()) break;
-    LaidCharts before;
-    if (Status s = flattener.takeChartsAnew(cut, before); !s.ok()) return s;
-    if (Status s = flattener.layOut(cut); !s.ok()) return s;
-    if (with.listener.isStopped()) break;
-    const IdVector<ChartId, std::uint8_t> isRefused =
-        small.refused(before, cut.charts, with.options, cut.open.mirror);
-    if (Status s = flattener.takeBack(before, isRefused, seams, cut); !s.ok()) return s;
+    if (Status s = layOutChanged(flattener, seams, refused, cut); !s.ok()) return s;
   }
   return {};
 }
 
-/// Flat faces that their charts bend get charts of their own. Where only lengths count nobody looks
-/// at them.
+/// Flat faces that their charts bend get charts of their own, unless only the length of seams
+/// counts.
 Status freeFlatFaces(const CutFlattener& flattener, FlatCut& cut) {
   const FlattenSettings& with = flattener.settings();
   if (!canCut(with.options) || with.options.seamCosts == SeamCosts::Length ||
       with.listener.isStopped())
     return {};
-  const Seams seams = cutOutFlatFaces(cut.charts, cut.open);
+  const Seams seams = cutOutFlatFaces(cut.charts, with.options, cut.open);
   if (seams.empty()) return {};
-  LaidCharts before;
-  if (Status s = flattener.takeChartsAnew(cut, before); !s.ok()) return s;
-  if (Status s = flattener.layOut(cut); !s.ok()) return s;
-  if (with.listener.isStopped()) return {};
-  return flattener.takeBack(before, worseCutOut(before, cut.charts, with.options), seams, cut);
+  const auto refused = [&](const LaidCharts& before, const LaidCharts& now) {
+    return worseCutOut(before, now, with.options);
+  };
+  return layOutChanged(flattener, seams, refused, cut);
 }
 
 /// Charts that pins and what is known say nothing about keep their layout.

@@ -77,8 +77,7 @@ TEST_CASE("the ends of a bottle are discs, although its shoulders are bent", "[u
   }
 }
 
-TEST_CASE("a face that its chart does not bend stays in it", "[unwrap]") {
-  // A cylinder unrolls: its ends may hang on it.
+TEST_CASE("a cylinder, which unrolls, is a strip and two discs at most", "[unwrap]") {
   const PolygonMesh mesh = turned({{1, 0}, {1, 3}});
   const UnwrapResult layout = unwrapped(mesh, {});
   for (const std::size_t face : {mesh.faceCount() - 2, mesh.faceCount() - 1})
