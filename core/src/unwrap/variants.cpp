@@ -64,14 +64,11 @@ class CutValue {
   /// Where a component nearly unrolls, its creases say where it is cut best.
   bool unrolls(CutChartId part) const { return parts_[part].beyond <= 3e-4; }
   /// Whether a component has clearly better seams than another that nearly unrolls: it does so as
-  /// well, with clearly shorter ones, but neither by cuts through flat faces nor with fewer right
+  /// well, with clearly shorter ones, but neither by cuts through flat faces nor for many right
   /// angles.
   bool unrollsBetter(CutChartId part, const CutValue& other) const {
-    constexpr double kClearlyLess = 0.98, kRounding = 1e-6;
     const Part &now = parts_[part], &before = other.parts_[part];
-    return unrolls(part) && now.cost < before.cost && now.length < kClearlyLess * before.length &&
-           now.inFlat <= before.inFlat + kRounding &&
-           now.outline.share() > before.outline.share() - kRounding;
+    return unrolls(part) && now.cost < before.cost && isClearlyBetter(now, before);
   }
   bool isWarped(CutChartId part) const { return parts_[part].isOfBlocks && !unrolls(part); }
   bool hasWarped() const {
@@ -83,6 +80,11 @@ class CutValue {
     for (const CutChartId c : parts_.ids())
       if (!unrolls(c)) return false;
     return true;
+  }
+  /// The same of all components together, which come out as cheap as `most` times.
+  bool unrollsBetter(const CutValue& other, double most) const {
+    return unrolls() && total() < most * other.total() &&
+           isClearlyBetter(allParts(), other.allParts());
   }
   double total() const {
     double sum = 0;
@@ -99,6 +101,24 @@ class CutValue {
     RightAngled outline;
     bool isOfBlocks = false;  ///< only known where some component does not unroll
   };
+
+  static bool isClearlyBetter(const Part& now, const Part& before) {
+    constexpr double kClearlyLess = 0.98, kRounding = 1e-6;
+    constexpr double kOfLength = 0.25;  // what less of it is worth in right angles
+    const double less = 1 - now.length / before.length;
+    return now.length < kClearlyLess * before.length && now.inFlat <= before.inFlat + kRounding &&
+           now.outline.share() > before.outline.share() - kOfLength * less;
+  }
+
+  Part allParts() const {
+    Part out;
+    for (const Part& part : parts_) {
+      out.length += part.length;
+      out.inFlat += part.inFlat;
+      out.outline += part.outline;
+    }
+    return out;
+  }
 
   void addCharts(const LaidCharts& charts, const UnwrapOptionValues& options) {
     constexpr double kChart = 0.1, kStretch = 5, kBad = 10;
@@ -157,8 +177,8 @@ bool isBetterAsAWhole(const CutValue& now, const CutValue& then, const OpenSurfa
                       const OpenSurface& other) {
   constexpr double kSymmetric = 1.1;
   const bool was = static_cast<bool>(best.mirror), is = static_cast<bool>(other.mirror);
-  if (now.unrolls()) return false;
   const double most = is == was ? kClearly : is ? kSymmetric : 1 / kSymmetric;
+  if (now.unrolls()) return then.unrollsBetter(now, most);
   return then.total() < most * now.total();
 }
 
