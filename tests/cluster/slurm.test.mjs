@@ -15,7 +15,7 @@ test('parts, requeued from a drained node, make the same manifest', {
   skip: withoutSlurm,
 }, async (t) => {
   const at = tempFolder(t);
-  const names = writeMeshes(at('meshes'), 24);
+  const names = writeMeshes(at('meshes'), 60);
   const whole = await plainRun(at('meshes'), at('whole'));
   const slurm = await startSlurm();
   t.after(slurm.end);

@@ -22,8 +22,16 @@ int turn(PlanePoint a, PlanePoint b, PlanePoint c) {
   return left - right > straight ? 1 : left - right < -straight ? -1 : 0;
 }
 
+/// Whether x, on the line through a and b, lies between them.
+bool isBetween(PlanePoint a, PlanePoint b, PlanePoint x) {
+  return (a.x - x.x) * (b.x - x.x) + (a.y - x.y) * (b.y - x.y) <= 0;
+}
+
 bool doCross(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
-  return turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0;
+  const int left = turn(a, b, c), right = turn(a, b, d);
+  // Edges ahead on the same line, as those of a net next to a crease, are not crossed.
+  if (left == 0 && right == 0) return isBetween(a, b, c) || isBetween(a, b, d);
+  return left * right <= 0 && turn(c, d, a) * turn(c, d, b) <= 0;
 }
 
 /// Whether the direction to `to` lies in the interior wedge between the two edges at a point.
@@ -66,9 +74,11 @@ bool isBetter(const OutlineChord& a, const OutlineChord& b) {
 
 }  // namespace
 
-std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline) {
+std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline,
+                                        const std::vector<std::uint8_t>& mayEnd) {
   constexpr double kLeastShare = 0.03;
   const std::size_t n = outline.size();
+  const auto isEnd = [&](std::size_t i) { return mayEnd.empty() || mayEnd[i]; };
   const Pose box = leastBoxPose(convexHull(outline));
   std::vector<PlanePoint> p;
   p.reserve(n);
@@ -77,7 +87,8 @@ std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline) 
   for (std::size_t i = 0; i < n; ++i) swept[i + 1] = swept[i] + cross(p[i], p[(i + 1) % n]);
   std::array<OutlineChord, kKinds> best{};
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 2; j < n; ++j) {
+    for (std::size_t j = isEnd(i) ? i + 2 : n; j < n; ++j) {
+      if (!isEnd(j)) continue;
       const double share = (swept[j] - swept[i] + cross(p[j], p[i])) / swept[n];
       if (!(std::min(share, 1 - share) > kLeastShare)) continue;
       const double dx = p[j].x - p[i].x, dy = p[j].y - p[i].y;

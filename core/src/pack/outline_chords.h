@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "pack/outline.h"
 
@@ -16,7 +18,8 @@ struct OutlineChord {
 };
 
 /// Cuts that may make an outline fit better. Among those that cut off a similar share, at the same
-/// end and across or along, only the shortest.
-std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline);
+/// end and across or along, only the shortest. `mayEnd`: the points where cuts may end; empty: all.
+std::vector<OutlineChord> outlineChords(const std::vector<PlanePoint>& outline,
+                                        const std::vector<std::uint8_t>& mayEnd = {});
 
 }  // namespace abflat

@@ -21,12 +21,16 @@ double perimeterOf(const FlatLoop& loop) {
   return sum;
 }
 
-/// Points of a loop, at least `spacing` apart.
-std::vector<BoundaryIndex> sampled(const FlatLoop& loop, double spacing) {
+/// Points of a loop, at least `spacing` apart, and rather those that are `preferred`.
+template <typename Preferred>
+std::vector<BoundaryIndex> sampled(const FlatLoop& loop, double spacing, Preferred preferred) {
   std::vector<BoundaryIndex> out;
-  for (const BoundaryIndex i : loop.ids())
+  for (const BoundaryIndex i : loop.ids()) {
     if (out.empty() || distance(loop[i], loop[out.back()]) >= (1 - kAlike) * spacing)
       out.push_back(i);
+    else if (preferred(i) && !preferred(out.back()))
+      out.back() = i;
+  }
   return out;
 }
 
@@ -58,6 +62,7 @@ PieceFitting::PieceFitting(const SeamMesh& mesh, const FlatSurface& flat, const 
       fit_(fit),
       cutter_(mesh, flat.surface, flat.at),
       mostCost_(mostCost),
+      isOnCrease_(verticesOnCreases()),
       charts_(static_cast<int>(cutter_.pieces().size())),
       size_(std::sqrt(mesh.totalArea())) {
   for (const CutChartId chart : flat.surface.charts.ids()) {
@@ -92,13 +97,12 @@ bool PieceFitting::fits(double side) { return missingArea(placed(side, 0)) == 0;
 std::vector<LongChart> PieceFitting::longCharts() const {
   constexpr double kLong = 10;  // the square of half the outline, relative to the area: 8 by 1
   std::vector<LongChart> out;
-  const IdVector<OpenVertex, std::uint8_t> isOnCrease = verticesOnCreases();
   for (const CutChartId chart : flat_.surface.charts.ids()) {
     const PieceId p(std::uint32_t{chart});
     const Shape& shape = shapes_[p];
     const auto isLong = [&](double length) { return length * length > kLong * areaOf(p); };
     if (!shape.canCut || shape.loop.empty() || !isLong(perimeterOf(shape.loop) / 2)) continue;
-    ChartLength across(flat_.surface, flat_.at, chart, isOnCrease);
+    ChartLength across(flat_.surface, flat_.at, chart, isOnCrease_);
     const double length = scaleOf(p) * across.length();
     if (isLong(length)) out.push_back({p, std::move(across), length});
   }
@@ -179,9 +183,10 @@ void PieceFitting::takeShape(PieceId p) {
     shape.loop.push_back({factor * flat_.at[v].x, factor * flat_.at[v].y});
   const double perimeter = perimeterOf(shape.loop);
   shape.reach = perimeter / kEnds;
-  shape.ends = sampled(shape.loop, shape.reach);
+  shape.ends = sampled(shape.loop, shape.reach, [&](BoundaryIndex i) { return isOnCrease(p, i); });
   shape.chords.reset();
-  const std::vector<BoundaryIndex> fine = sampled(shape.loop, perimeter / kPoints);
+  const std::vector<BoundaryIndex> fine =
+      sampled(shape.loop, perimeter / kPoints, [](BoundaryIndex) { return false; });
   PackItem item = fit_.itemOf(pointsBetween(shape.loop, fine, 0, fine.size() - 1));
   shape.solid = item.mass.area > 0 && area > 0 ? area / item.mass.area : 1;
   item.mass.area = area;
@@ -210,6 +215,14 @@ double PieceFitting::missingWith(const Candidate& c, double side, double most) {
   return out;
 }
 
+/// For each end, whether a crease within the charts ends there; empty if cuts may go anywhere.
+std::vector<std::uint8_t> PieceFitting::endsOnCreases(PieceId p) const {
+  std::vector<std::uint8_t> out;
+  if (std::isfinite(shapes_[p].mostCost))
+    for (const BoundaryIndex i : shapes_[p].ends) out.push_back(isOnCrease(p, i));
+  return out;
+}
+
 /// Possible cuts of the two largest pieces without a place.
 std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(const Placed& isPlaced) {
   constexpr double kMore = 1 + kAlike;
@@ -226,7 +239,8 @@ std::vector<PieceFitting::Candidate> PieceFitting::candidatesOf(const Placed& is
     if (!p.exists()) continue;
     Shape& shape = shapes_[p];
     if (!shape.chords)
-      shape.chords = outlineChords(pointsBetween(shape.loop, shape.ends, 0, shape.ends.size() - 1));
+      shape.chords = outlineChords(pointsBetween(shape.loop, shape.ends, 0, shape.ends.size() - 1),
+                                   endsOnCreases(p));
     for (const OutlineChord& chord : *shape.chords)
       out.push_back({p, chord, shape.solid * chord.length + kCostOfCut * unit_, 0});
   }

@@ -105,6 +105,10 @@ class PieceFitting {
   static constexpr double kCostOfCut = 0.5, kCostOfFirst = 0.75;
 
   IdVector<OpenVertex, std::uint8_t> verticesOnCreases() const;
+  std::vector<std::uint8_t> endsOnCreases(PieceId piece) const;
+  bool isOnCrease(PieceId piece, BoundaryIndex i) const {
+    return !isOnCrease_.empty() && isOnCrease_[cutter_.pieces()[piece].loop[i]];
+  }
   double areaOf(PieceId piece) const;
   double scaleOf(PieceId piece) const;
 
@@ -114,6 +118,7 @@ class PieceFitting {
   PieceCutter cutter_;
   IdVector<PieceId, Shape> shapes_;
   double mostCost_;
+  IdVector<OpenVertex, std::uint8_t> isOnCrease_;  ///< of the charts, see verticesOnCreases
   int charts_ = 0;
   double size_ = 1;
 };

@@ -51,3 +51,26 @@ TEST_CASE("chords stay inside", "[room]") {
       CHECK(isInside(u[c.from].x + t * (u[c.to].x - u[c.from].x),
                      u[c.from].y + t * (u[c.to].y - u[c.from].y)));
 }
+
+TEST_CASE("chords go along the creases of a net, whose edges lie on the same lines", "[room]") {
+  // A cross: each arm is held by a crease between two notches.
+  const std::vector<PlanePoint> cross = outlineOf({{2, 0},
+                                                   {6, 0},
+                                                   {6, 2},
+                                                   {8, 2},
+                                                   {8, 6},
+                                                   {6, 6},
+                                                   {6, 8},
+                                                   {2, 8},
+                                                   {2, 6},
+                                                   {0, 6},
+                                                   {0, 2},
+                                                   {2, 2}});
+  std::vector<std::uint8_t> isNotch;
+  for (const PlanePoint& p : cross)
+    isNotch.push_back((p.x == 2 || p.x == 6) && (p.y == 2 || p.y == 6));
+  const std::vector<OutlineChord> chords = outlineChords(cross, isNotch);
+  const auto cutsOff = [](const OutlineChord& c) { return c.smallerShare() == Approx(1.0 / 6); };
+  CHECK(std::count_if(chords.begin(), chords.end(), cutsOff) == 4);
+  for (const OutlineChord& c : chords) CHECK((isNotch[c.from] && isNotch[c.to]));
+}
