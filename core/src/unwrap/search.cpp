@@ -41,7 +41,7 @@ class Expected {
     if (k == variants_.size()) return 0;
     if (isForFront(variants_[k])) return front_ + after(k, fruitless);
     const bool isFruitless = fruitless >= kMostFruitless;
-    // Made where everything unrolls, which is as if nothing else were worth it; else rarely.
+    // Made where everything unrolls, so that none with other costs is; else rarely.
     if (variants_[k].bound == SeamBound::Exact) return (isFruitless ? 1 : 0) + after(k, fruitless);
     const bool isLeftOut = isFruitless && isVaried(variants_[k]);
     return isLeftOut ? from(k + 1, fruitless) : 1 + after(k, fruitless);
@@ -80,9 +80,7 @@ Status tryOthers(const SearchInput& input, const std::vector<SeamVariant>& varia
     SeamVariant variant = variants[k];
     if (fruitless >= kMostFruitless && isVaried(variant)) continue;
     if (isForFront(variant) && !isCutInFront(best.open)) continue;
-    if (variant.bound == SeamBound::Exact && !isSettled(with.options, best) &&
-        !hasWarpedBlocks(with.options, best))
-      continue;
+    if (variant.bound == SeamBound::Exact && !isExactWorth(with.options, best)) continue;
     passes.next(Expected(variants, kStillCut).after(k, fruitless));
     with.listener = passes.layouts().at(Stage::Solve);
     FlatCut other;

@@ -238,8 +238,9 @@ double costOf(const UnwrapOptionValues& options, FlatCut& cut) {
   return valueOf(cut, options).total();
 }
 
-bool hasWarpedBlocks(const UnwrapOptionValues& options, const FlatCut& cut) {
-  return CutValue(cut, options).hasWarped();
+bool isExactWorth(const UnwrapOptionValues& options, const FlatCut& cut) {
+  const CutValue value(cut, options);
+  return value.unrolls() || value.hasWarped();
 }
 
 bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut) {

@@ -17,8 +17,9 @@ std::vector<SeamVariant> variantsWorth(std::size_t triangles, double inFront, bo
 /// Whether a component could lie flat without a seam and is mostly the front of a figure.
 bool hasMask(const OpenSurface& open);
 
-/// Whether what is built of blocks has charts that do not unroll.
-bool hasWarpedBlocks(const UnwrapOptionValues& options, const FlatCut& cut);
+/// Whether a search for charts that unroll is worth it: all components do already, or one that is
+/// built of blocks does not.
+bool isExactWorth(const UnwrapOptionValues& options, const FlatCut& cut);
 
 /// Whether no search with other costs would be listened to, since all components nearly unroll.
 bool isSettled(const UnwrapOptionValues& options, const FlatCut& cut);
