@@ -85,6 +85,11 @@ OpenSurface openWith(const UncutSurface& uncut, const AskedCuts& asked, const Se
   return open;
 }
 
+AskedCuts withBorders(AskedCuts asked, const Seams& borders) {
+  for (const SurfaceCorner h : asked.seams.ids()) asked.seams[h] = asked.seams[h] || borders[h];
+  return asked;
+}
+
 /// Cuts flat regions with holes out along their creases, if that costs less than seams through
 /// them.
 void openPlates(const UncutSurface& uncut, const AskedCuts& asked, SeamVariant variant,
@@ -92,11 +97,10 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, SeamVariant v
                 OpenSurface& open, SeamReport& found) {
   const Seams borders = plateBorders(open.mesh);
   if (borders.empty()) return;
-  AskedCuts along = asked;
-  for (const SurfaceCorner h : along.seams.ids()) along.seams[h] = along.seams[h] || borders[h];
   SeamReport report;
   variant.before = &open;
-  OpenSurface other = openWith(uncut, along, variant, options, pool, listener, report);
+  OpenSurface other =
+      openWith(uncut, withBorders(asked, borders), variant, options, pool, listener, report);
   const SeamOptions how = seamOptions(options, open, pool, listener);
   // Of symmetric seams less is known than of those that they were preferred to.
   const auto costOf = [&](const OpenSurface& x) {
@@ -111,6 +115,7 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, SeamVariant v
   ofBorders /= std::sqrt(open.mesh.totalArea());
   if (listener.isStopped() || !(costOf(other) + ofBorders < costOf(open))) return;
   open = std::move(other);
+  open.hasPlates = true;
   found = std::move(report);
 }
 
@@ -120,10 +125,21 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Sea
                     const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
                     SeamSummary& summary) {
   SeamReport found;
-  OpenSurface open = openWith(uncut, asked, variant, options, pool, listener, found);
-  const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
-  if (options.seams.isAuto && !variant.isUncut && !isSymmetric && !listener.isStopped())
-    openPlates(uncut, asked, variant, options, pool, listener, open, found);
+  const auto openAlong = [&](const AskedCuts& cuts) {
+    return openWith(uncut, cuts, variant, options, pool, listener, found);
+  };
+  OpenSurface open;
+  // Flat regions that another search cut out, or left in place, are not tried both ways again.
+  if (variant.before && variant.before->hasPlates && !variant.isUncut) {
+    const Seams borders = plateBorders(openAndFill(uncut, asked, options, listener).mesh);
+    open = openAlong(withBorders(asked, borders));
+    open.hasPlates = true;
+  } else {
+    open = openAlong(asked);
+    const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
+    if (options.seams.isAuto && !variant.before && !isSymmetric && !listener.isStopped())
+      openPlates(uncut, asked, variant, options, pool, listener, open, found);
+  }
   summary.genus = uncut.surface.summary.genus;
   summary.handleLoops = found.handleLoops;
   summary.handleLength = found.handleLength;

@@ -231,4 +231,36 @@ ClosedMesh closedMesh(unsigned number) {
   return kFamilies[number % kClosedFamilies](random);
 }
 
+PolygonMesh grille(unsigned n, double thickness) {
+  const unsigned m = 2 * n + 1, row = m + 1, layer = row * row;
+  PolygonMesh mesh;
+  for (unsigned z = 0; z < 2; ++z)
+    for (unsigned x = 0; x < row; ++x)
+      for (unsigned y = 0; y < row; ++y)
+        mesh.positions.insert(mesh.positions.end(), {1.0 * x, 1.0 * y, z * thickness});
+  mesh.faceOffsets = {0};
+  const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.faceVertices.insert(mesh.faceVertices.end(), {a, b, c, d});
+    mesh.faceOffsets.push_back(static_cast<std::uint32_t>(mesh.faceVertices.size()));
+  };
+  const auto isThere = [&](unsigned x, unsigned y) {
+    return x < m && y < m && (x % 2 == 0 || y % 2 == 0);
+  };
+  for (unsigned x = 0; x < m; ++x)
+    for (unsigned y = 0; y < m; ++y) {
+      if (!isThere(x, y)) continue;
+      const std::uint32_t corner[] = {x * row + y, (x + 1) * row + y, (x + 1) * row + y + 1,
+                                      x * row + y + 1};
+      const auto [a, b, c, d] = corner;
+      face(a, d, c, b);
+      face(layer + a, layer + b, layer + c, layer + d);
+      const bool isWall[] = {!isThere(x, y - 1), !isThere(x + 1, y), !isThere(x, y + 1),
+                             !isThere(x - 1, y)};
+      for (unsigned k = 0; k < 4; ++k)
+        if (isWall[k])
+          face(corner[k], corner[(k + 1) % 4], layer + corner[(k + 1) % 4], layer + corner[k]);
+    }
+  return mesh;
+}
+
 }  // namespace abflat::test

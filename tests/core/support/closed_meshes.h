@@ -20,4 +20,7 @@ constexpr unsigned kClosedFamilies = 10;
 /// family.
 ClosedMesh closedMesh(unsigned number);
 
+/// A plate of (2 n + 1)^2 squares and the given thickness, with n^2 square holes through it.
+PolygonMesh grille(unsigned n, double thickness);
+
 }  // namespace abflat::test

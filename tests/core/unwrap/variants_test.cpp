@@ -6,6 +6,7 @@
 #include "mesh/surface.h"
 #include "mesh/welded_mesh.h"
 #include "seam/vary_costs.h"
+#include "support/closed_meshes.h"
 #include "support/copies.h"
 #include "support/meshes.h"
 #include "unwrap/cut_open.h"
@@ -100,6 +101,19 @@ TEST_CASE("what unrolls is not cut in another way unless seams get clearly short
   const double before = searches.cost(best);
   CHECK_FALSE(searches.take(best, other));
   CHECK(searches.cost(best) == before);
+}
+
+TEST_CASE("plates are cut out by all searches or by none, as by the first", "[unwrap]") {
+  Searches searches(grille(5, 0.5));
+  FlatCut first = searches.find(0);
+  REQUIRE(first.open.hasPlates);
+  const FlatCut other = searches.find(1, &first.open);
+  CHECK(other.open.hasPlates);
+  CHECK(other.open.mesh.twin.size() == first.open.mesh.twin.size());
+  CHECK(other.charts.set.size() <= first.charts.set.size());
+  first.open.hasPlates = false;
+  CHECK_FALSE(searches.find(1, &first.open).open.hasPlates);
+  CHECK_FALSE(Searches(bumpyTorus(1)).find(0).open.hasPlates);
 }
 
 TEST_CASE("seams that cost more than others with all their charts are hopeless", "[unwrap]") {
