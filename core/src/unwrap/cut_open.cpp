@@ -95,7 +95,7 @@ AskedCuts withBorders(AskedCuts asked, const Seams& borders) {
 void openPlates(const UncutSurface& uncut, const AskedCuts& asked, SeamVariant variant,
                 const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
                 OpenSurface& open, SeamReport& found) {
-  const Seams borders = plateBorders(open.mesh);
+  Seams borders = plateBorders(open.mesh);
   if (borders.empty()) return;
   SeamReport report;
   variant.before = &open;
@@ -115,7 +115,7 @@ void openPlates(const UncutSurface& uncut, const AskedCuts& asked, SeamVariant v
   ofBorders /= std::sqrt(open.mesh.totalArea());
   if (listener.isStopped() || !(costOf(other) + ofBorders < costOf(open))) return;
   open = std::move(other);
-  open.hasPlates = true;
+  open.plates = std::move(borders);
   found = std::move(report);
 }
 
@@ -125,18 +125,15 @@ OpenSurface cutOpen(const UncutSurface& uncut, const AskedCuts& asked, const Sea
                     const UnwrapOptions& options, ThreadPool& pool, const Listener& listener,
                     SeamSummary& summary) {
   SeamReport found;
-  const auto openAlong = [&](const AskedCuts& cuts) {
-    return openWith(uncut, cuts, variant, options, pool, listener, found);
-  };
   OpenSurface open;
-  // Flat regions that another search cut out, or left in place, are not tried both ways again.
-  if (variant.before && variant.before->hasPlates && !variant.isUncut) {
-    const Seams borders = plateBorders(openAndFill(uncut, asked, options, listener).mesh);
-    open = openAlong(withBorders(asked, borders));
-    open.hasPlates = true;
+  if (variant.before && !variant.before->plates.empty() && !variant.isUncut) {
+    const Seams& plates = variant.before->plates;
+    open = openWith(uncut, withBorders(asked, plates), variant, options, pool, listener, found);
+    open.plates = plates;
   } else {
-    open = openAlong(asked);
+    open = openWith(uncut, asked, variant, options, pool, listener, found);
     const bool isSymmetric = options.symmetricSeams == SymmetricSeams::Always;
+    // To try both ways takes twice as long, so only the first search does.
     if (options.seams.isAuto && !variant.before && !isSymmetric && !listener.isStopped())
       openPlates(uncut, asked, variant, options, pool, listener, open, found);
   }

@@ -19,9 +19,9 @@ struct OpenSurface {
   LogScales foundScale;               ///< expected, before seams were shortened
   Mirror mirror;                      ///< what the seams are symmetric to, if they are
   Asymmetry asymmetry = Asymmetry::None;
-  bool hasPlates = false;  ///< flat regions with holes were cut out, see plateBorders
-  int variant = 0;         ///< of the costs, where charts are cut further
-  KnownSeams otherwise;    ///< to be used if symmetric seams are worse than expected
+  Seams plates;          ///< the borders of flat regions that were cut out, see plateBorders
+  int variant = 0;       ///< of the costs, where charts are cut further
+  KnownSeams otherwise;  ///< to be used if symmetric seams are worse than expected
 
   bool isGiven(SurfaceCorner h) const { return h < given.size() && given[h]; }
 };
