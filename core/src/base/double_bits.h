@@ -11,4 +11,10 @@ inline std::uint64_t bitsOf(double x) {
   return out;
 }
 
+inline double doubleOf(std::uint64_t bits) {
+  double out = 0;
+  std::memcpy(&out, &bits, sizeof out);
+  return out;
+}
+
 }  // namespace abflat

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
+
+#include "base/double_bits.h"
 
 namespace abflat::portable {
 namespace {
@@ -88,6 +89,13 @@ Pair arcTangent(double small, double large) {
   return {base.high, t + (base.low - t * z * series)};
 }
 
+/// x * 2^exponent for an x near 1. Near the ends of the range only a call gets that right.
+double scaled(double x, int exponent) {
+  constexpr int kMost = 1020, kBias = 1023, kMantissa = 52;
+  if (exponent < -kMost || exponent > kMost) return std::ldexp(x, exponent);
+  return x * doubleOf(static_cast<std::uint64_t>(exponent + kBias) << kMantissa);
+}
+
 }  // namespace
 
 SinCos sinCos(double x) {
@@ -121,15 +129,13 @@ double log(double x) {
   if (!(x > 0) || x == kInfinity) return x == 0 ? -kInfinity : x < 0 ? kNan : x;
   int exponent = 0;
   if (x < std::numeric_limits<double>::min()) x *= 0x1p54, exponent = -54;
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
+  std::uint64_t bits = bitsOf(x);
   // x = 2^exponent * m with m in [sqrt(1/2), sqrt(2)).
   constexpr std::uint64_t kRootHalf = 0x3fe6a09e667f3bcd;
   const auto shift = static_cast<std::int64_t>(bits - kRootHalf) >> 52;
   exponent += static_cast<int>(shift);
   bits -= static_cast<std::uint64_t>(shift) << 52;
-  double m;
-  std::memcpy(&m, &bits, sizeof m);
+  const double m = doubleOf(bits);
   // log(1 + f) = 2 atanh(s) with s = f / (2 + f), a series in s^2 < 0.0295.
   const double f = m - 1, s = f / (2 + f), z = s * s, w = z * z;
   const double even =
@@ -149,7 +155,7 @@ double exp(double x) {
        {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040,
         1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 1.0 / 2})
     p = p * r + inverse;
-  return std::ldexp(1 + (high - (low - r * r * p)), static_cast<int>(n));
+  return scaled(1 + (high - (low - r * r * p)), static_cast<int>(n));
 }
 
 double atan2(double y, double x) {

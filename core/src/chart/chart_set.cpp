@@ -160,7 +160,7 @@ ChartTopology ChartSet::topology(ChartId i) const {
           from.filledHoles};
 }
 
-DiskChart ChartSet::chart(ChartId i) const {
+DiskChart ChartSet::unplaced(ChartId i) const {
   const ChartTopology own = topology(i);
   DiskChart out;
   out.vertexOfCorner = copyOf(own.vertexOfCorner);
@@ -171,12 +171,17 @@ DiskChart ChartSet::chart(ChartId i) const {
   out.filledHoles = own.filledHoles;
   if (!eliminationRank.empty())
     for (const InputVertex v : own.inputVertex) out.eliminationRank.push_back(eliminationRank[v]);
+  return out;
+}
+
+DiskChart ChartSet::chart(ChartId i) const {
+  DiskChart out = unplaced(i);
   placeChart(*mesh_, out);
   return out;
 }
 
 DiskChart ChartSet::chartInOrder(ChartId i, IdVector<ChartVertex, ChartVertex>& former) const {
-  DiskChart out = walkedThrough(chart(i), former);
+  DiskChart out = walkedThrough(unplaced(i), former);
   placeChart(*mesh_, out);
   return out;
 }

@@ -55,6 +55,9 @@ class ChartSet {
 
  private:
   friend class ChartSetMaker;
+  /// All but what placeChart sets.
+  DiskChart unplaced(ChartId i) const;
+
   /// Where a chart's part of each array begins, which is also where the previous chart's part ends.
   struct Part {
     std::uint32_t triangle = 0, vertex = 0, boundary = 0;

@@ -40,11 +40,10 @@ DiskChart makeDiskChart(const PolygonMesh& mesh, const Surface& surface) {
 
 void placeChart(const PolygonMesh& mesh, DiskChart& chart) {
   chart.unit = unitOf(mesh, chart.inputVertex);
-  chart.positions.clear();
-  chart.positions.reserve(3 * chart.inputVertex.size());
+  chart.positions.resize(3 * chart.inputVertex.size());
+  double* to = chart.positions.data();
   for (const InputVertex v : chart.inputVertex)
-    for (std::size_t d = 0; d < 3; ++d)
-      chart.positions.push_back(mesh.positions[3 * v + d] / chart.unit);
+    for (std::size_t d = 0; d < 3; ++d) *to++ = mesh.positions[3 * v + d] / chart.unit;
   chart.angles.resize(chart.triangleCount());
   for (const ChartTriangle f : chart.triangles())
     chart.angles[f] = cornerAngles(chart.positions, verticesOf(chart.vertexOfCorner, f));

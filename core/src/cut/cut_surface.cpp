@@ -4,18 +4,23 @@ namespace abflat {
 namespace {
 
 /// Whether a seam or the boundary touches a vertex, so that its corners have to be walked around.
-IdVector<SurfaceVertex, std::uint8_t> cutVertices(const SeamMesh& mesh, const CutSurface& s) {
+/// `open`: the half-edges without a twin.
+IdVector<SurfaceVertex, std::uint8_t> cutVertices(const SeamMesh& mesh,
+                                                  const std::vector<SurfaceCorner>& open) {
   IdVector<SurfaceVertex, std::uint8_t> out(mesh.vertexCount(), 0);
-  for (const SurfaceCorner h : s.corners())
-    if (!s.twin[h].exists()) out[mesh.tail(h)] = out[mesh.head(h)] = 1;
+  for (const SurfaceCorner h : open) out[mesh.tail(h)] = out[mesh.head(h)] = 1;
   return out;
 }
 
-void findVertices(const SeamMesh& mesh, CutSurface& s) {
-  const IdVector<SurfaceVertex, std::uint8_t> isCut = cutVertices(mesh, s);
+void findVertices(const SeamMesh& mesh, const std::vector<SurfaceCorner>& open, CutSurface& s) {
+  const IdVector<SurfaceVertex, std::uint8_t> isCut = cutVertices(mesh, open);
   IdVector<SurfaceVertex, OpenVertex> inside(isCut.size());
   s.vertexOfCorner.resize(s.twin.size());
+  s.outgoing.reserve(mesh.vertexCount());
+  s.isBoundary.reserve(mesh.vertexCount());
+  s.meshVertex.reserve(mesh.vertexCount());
   const auto add = [&](SurfaceCorner outgoing, bool isBoundary, SurfaceVertex meshVertex) {
+    ++s.charts[s.chartOf(outgoing)].vertices;
     s.isBoundary.push_back(isBoundary);
     s.meshVertex.push_back(meshVertex);
     return s.outgoing.push_back(outgoing);
@@ -42,7 +47,9 @@ void findVertices(const SeamMesh& mesh, CutSurface& s) {
   }
 }
 
-void findCharts(CutSurface& s) {
+/// Returns the half-edges without a twin, chart by chart.
+std::vector<SurfaceCorner> findCharts(CutSurface& s) {
+  std::vector<SurfaceCorner> open;
   const IdRange<SurfaceTriangle> triangles(s.twin.size() / 3);
   s.chartOfTriangle.resize(triangles.size());
   s.triangleOrder.resize(triangles.size() + 1);  // a slot for triangles that are not new
@@ -58,6 +65,7 @@ void findCharts(CutSurface& s) {
       const SurfaceTriangle triangle = s.triangleOrder[i];
       for (const SurfaceCorner h : cornersOf(triangle)) {
         const SurfaceCorner o = s.twin[h];
+        if (!o.exists()) open.push_back(h);
         const SurfaceTriangle next = o.exists() ? triangleOf(o) : triangle;
         const bool isNew = !s.chartOfTriangle[next].exists();  // no branch: unpredictable
         s.chartOfTriangle[next] = isNew ? id : s.chartOfTriangle[next];
@@ -68,25 +76,28 @@ void findCharts(CutSurface& s) {
   }
   s.triangleOrder.pop_back();
   s.triangleBegin.push_back(found);
+  return open;
 }
 
-void findLoops(CutSurface& s) {
+/// `open`: the half-edges without a twin, chart by chart.
+void findLoops(const std::vector<SurfaceCorner>& open, CutSurface& s) {
   IdVector<SurfaceCorner, std::uint8_t> isSeen(s.twin.size(), 0);
+  s.loopOrder.reserve(open.size());
+  auto start = open.begin();
   for (const CutChartId c : s.charts.ids()) {
     CutSurface::Chart& chart = s.charts[c];
     chart.firstLoop = LoopId(s.loopBegin.size());
-    for (const SurfaceTriangle f : s.trianglesOf(c))
-      for (const SurfaceCorner start : cornersOf(f)) {
-        if (s.twin[start].exists() || isSeen[start]) continue;
-        s.loopBegin.push_back(static_cast<std::uint32_t>(s.loopOrder.size()));
-        SurfaceCorner h = start;
-        do {
-          isSeen[h] = 1;
-          s.loopOrder.push_back(h);
-          h = nextCorner(h);
-          while (s.twin[h].exists()) h = nextCorner(s.twin[h]);
-        } while (h != start);
-      }
+    for (; start != open.end() && s.chartOf(*start) == c; ++start) {
+      if (isSeen[*start]) continue;
+      s.loopBegin.push_back(static_cast<std::uint32_t>(s.loopOrder.size()));
+      SurfaceCorner h = *start;
+      do {
+        isSeen[h] = 1;
+        s.loopOrder.push_back(h);
+        h = nextCorner(h);
+        while (s.twin[h].exists()) h = nextCorner(s.twin[h]);
+      } while (h != *start);
+    }
     chart.loops = LoopId(s.loopBegin.size()) - chart.firstLoop;
   }
   s.loopBegin.push_back(static_cast<std::uint32_t>(s.loopOrder.size()));
@@ -99,7 +110,6 @@ void measureCharts(const SeamMesh& mesh, CutSurface& s) {
     chart.area += mesh.area[f];
     for (const SurfaceCorner h : cornersOf(f)) chart.edges += h < s.twin[h];
   }
-  for (const OpenVertex v : s.vertices()) ++s.charts[s.chartOf(v)].vertices;
 }
 
 }  // namespace
@@ -109,11 +119,11 @@ CutSurface cutAlong(const SeamMesh& mesh, const Seams& seams, const Listener& li
   s.twin = mesh.twin;
   for (const SurfaceCorner h : s.corners())
     if (seams[h]) s.twin[h] = SurfaceCorner();
-  findVertices(mesh, s);
+  const std::vector<SurfaceCorner> open = findCharts(s);
   listener.beat(mesh.triangleCount());
-  findCharts(s);
+  findVertices(mesh, open, s);
   listener.beat(mesh.triangleCount());
-  findLoops(s);
+  findLoops(open, s);
   listener.beat(mesh.triangleCount());
   measureCharts(mesh, s);
   return s;

@@ -49,22 +49,19 @@ Vec3 NormalsAround::at(SurfaceCorner edge) const {
 template <class Visit>
 void NormalsAround::visitCells(const Vec3& point, const Visit& visit) const {
   std::array<std::size_t, 3> first;
-  Vec3 toNext;
+  std::array<std::array<double, 2>, 3> share;
   for (std::size_t d = 0; d < 3; ++d) {
     const double at = (point[d] - low_[d]) / width_ - 0.5;
-    first[d] = static_cast<std::size_t>(at);
-    toNext[d] = at - std::floor(at);
+    const int whole = static_cast<int>(at);
+    const double toNext = at - whole;
+    first[d] = static_cast<std::size_t>(whole);
+    share[d] = {1 - toNext, toNext};
   }
-  for (std::size_t k = 0; k < 8; ++k) {
-    double share = 1;
-    std::size_t cell = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const std::size_t isNext = k >> d & 1;
-      share *= isNext ? toNext[d] : 1 - toNext[d];
-      cell = cell * cells_ + first[d] + isNext;
-    }
-    visit(cell, share);
-  }
+  const std::size_t start = (first[0] * cells_ + first[1]) * cells_ + first[2];
+  for (std::size_t z = 0; z < 2; ++z)
+    for (std::size_t y = 0; y < 2; ++y)
+      for (std::size_t x = 0; x < 2; ++x)
+        visit(start + (x * cells_ + y) * cells_ + z, share[0][x] * share[1][y] * share[2][z]);
 }
 
 Vec3 NormalsAround::middleOf(SurfaceCorner edge) const {

@@ -10,11 +10,10 @@ int FreeMap::levelsFor(int longest) const {
   return floorLog2(static_cast<std::uint32_t>(std::min(longest, width_))) + 1;
 }
 
-void FreeMap::limit(int longest) {
-  const int levels = levelsFor(longest);
-  if (levels >= levels_) return;
-  levels_ = levels;
-  words_.resize(rowBegin(levels, 0));
+void FreeMap::limit(int longest) { levels_ = std::min(levels_, levelsFor(longest)); }
+
+void FreeMap::shrink() {
+  words_.resize(rowBegin(levels_, 0));
   words_.shrink_to_fit();
 }
 

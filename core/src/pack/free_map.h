@@ -22,8 +22,11 @@ class FreeMap {
   /// shorter, the faster.
   void reset(int width, int height, int longest);
 
-  /// From now on no longer runs will be looked for, which saves memory.
+  /// From now on no longer runs will be looked for, which saves time.
   void limit(int longest);
+
+  /// Drops the memory that this left unused.
+  void shrink();
 
   /// Upper bound on the number of consecutive free cells in any row.
   int mostFree() const;

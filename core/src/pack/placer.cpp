@@ -48,8 +48,10 @@ class Placer {
     out.spots.resize(items_.size());
     std::size_t count = 0;
     double missing = 0;
+    lookAhead();
     for (position_ = 0; position_ < strategy_.order.size(); ++position_) {
       const std::uint32_t i = strategy_.order[position_];
+      limitTiles();
       if (!tell(count)) {
         out.fit = Fit::Cancelled;
         return out;
@@ -122,10 +124,18 @@ class Placer {
     }
   }
 
+  /// Tiles are kept up for the longest run of any remaining item.
+  void limitTiles() {
+    const int longest = remaining_[position_].longest;
+    const bool isSame = position_ > 0 && longest == remaining_[position_ - 1].longest;
+    if (options_.isTileKept || isSame) return;
+    for (std::size_t t = 0; t < tiles_.size(); ++t)
+      if (!isFull_[t]) tiles_[t].limit(longest);
+  }
+
   /// Drops the memory of tiles that have no room for any remaining item; others keep what these
   /// items need.
   void openTile() {
-    if (remaining_.empty()) lookAhead();
     const auto [longest, least] = remaining_[position_];
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
       if (isFull_[t]) continue;
@@ -135,6 +145,7 @@ class Placer {
         begins_[t] = {};
       } else {
         tiles_[t].limit(longest);
+        tiles_[t].shrink();
       }
     }
     tiles_.emplace_back();
@@ -253,7 +264,7 @@ class Placer {
   struct Runs {
     int longest, least;  ///< of the longest runs of items
   };
-  std::vector<Runs> remaining_;       ///< by position, set once there is a second tile
+  std::vector<Runs> remaining_;       ///< by position
   std::vector<std::uint8_t> isFull_;  ///< per tile
   std::size_t position_ = 0;          ///< position in the order
   double work_ = 0;

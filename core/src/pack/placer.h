@@ -88,6 +88,7 @@ struct PlaceOptions {
   double texelsPerUnit = 0;
   std::uint32_t mostTiles = 1;
   double mostMissing = -1;  ///< area of items that may stay without a place; negative: none may
+  bool isTileKept = false;  ///< as a start: it must serve any item, not only these
   const PlaceStart* start = nullptr;  ///< initial state of the first tile; null: use `taken`
   Listener listener;                  ///< told now and then how many items have been placed
 };

@@ -97,6 +97,7 @@ std::vector<std::uint8_t> QuickFit::placedBy(const PlaceStrategy& strategy, doub
   PlaceOptions options;
   options.texelsPerUnit = grid_.resolution.meanSide() / side;
   options.mostMissing = mostMissing;
+  options.isTileKept = true;
   if (!isHeld_.empty()) options.start = &held_;
   const Placed found = place(items_, strategy, grid_, {BitGrid()}, options, space_);
   std::vector<std::uint8_t> out;

@@ -61,10 +61,9 @@ struct SeamPart {
  private:
   template <class Id, class T>
   static IdVector<Id, T> picked(const IdVector<Id, Id>& inWhole, const IdVector<Id, T>& whole) {
-    IdVector<Id, T> out;
-    if (whole.empty()) return out;
-    out.reserve(inWhole.size());
-    for (const Id i : inWhole) out.push_back(whole[i]);
+    if (whole.empty()) return {};
+    IdVector<Id, T> out(inWhole.size());
+    for (const Id i : out.ids()) out[i] = whole[inWhole[i]];
     return out;
   }
   template <class Id, class T>

@@ -111,12 +111,16 @@ void addTriangle(const SeamMesh& mesh, SurfaceCorner first, SeamPart& out) {
   if (!mesh.excess.empty()) m.excess.push_back(mesh.excess[f]);
   for (const SurfaceCorner h : {first, nextCorner(first), prevCorner(first)}) {
     out.wholeHalfEdge.push_back(h);
-    m.angle.push_back(mesh.angle[h]);
-    m.length.push_back(mesh.length[h]);
-    m.cost.push_back(mesh.cost[h]);
     if (!mesh.dearness.empty()) m.dearness.push_back(mesh.dearnessAt(h));
-    m.weight.push_back(mesh.weight[h]);
   }
+}
+
+void addMeasures(const SeamMesh& mesh, SeamPart& out) {
+  SeamMesh& m = out.mesh;
+  m.angle = out.ofCorners(mesh.angle);
+  m.length = out.ofCorners(mesh.length);
+  m.cost = out.ofCorners(mesh.cost);
+  m.weight = out.ofCorners(mesh.weight);
 }
 
 void addVertices(const SeamMesh& mesh, SeamPart& out) {
@@ -143,6 +147,7 @@ SeamPart inGeometricOrder(const SeamMesh& mesh, const Listener& listener) {
   out.mesh.frontLeeway = mesh.frontLeeway;
   for (const SurfaceCorner first : firstCorners(mesh, colorsOf(mesh, listener)))
     addTriangle(mesh, first, out);
+  addMeasures(mesh, out);
   addVertices(mesh, out);
   const IdVector<SurfaceCorner, SurfaceCorner> now = out.cornersInPart(mesh.twin.size());
   for (const SurfaceCorner h : out.wholeHalfEdge) {

@@ -51,8 +51,9 @@ SeamPart PartMaker::take() {
   m.length = part_.ofCorners(mesh_.length);
   m.cost = part_.ofCorners(mesh_.cost);
   m.weight = part_.ofCorners(mesh_.weight);
-  if (!mesh_.dearness.empty())
-    for (const SurfaceCorner h : corners()) m.dearness.push_back(mesh_.dearnessAt(h));
+  if (mesh_.dearness.empty()) return std::move(part_);
+  m.dearness.resize(corners().size());
+  for (const SurfaceCorner h : m.dearness.ids()) m.dearness[h] = mesh_.dearnessAt(corners()[h]);
   return std::move(part_);
 }
 

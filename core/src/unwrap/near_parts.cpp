@@ -30,6 +30,22 @@ double extentOf(const PlacedOutline& outline) {
   return norm(Vec3{high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
+double lengthOfLoop(const std::vector<double>& uv) {
+  double out = 0;
+  const std::size_t count = uv.size() / 2;
+  for (std::size_t i = 0; i < count; ++i)
+    out += lengthOf(minus(pointAt(uv, i + 1 < count ? i + 1 : 0), pointAt(uv, i)));
+  return out;
+}
+
+/// Whether there is room for two parts that are far from each other, in space and along the
+/// outline.
+bool hasFarParts(const PlacedOutline& outline, double padding) {
+  constexpr std::size_t kFewest = 4;  // each point of a triangle is beside all others
+  return outline.uv.size() / 2 >= kFewest && lengthOfLoop(outline.uv) > 2 * kFarAlong * padding &&
+         extentOf(outline) > kFarInSpace * padding;
+}
+
 /// The outline in steps of similar length: points that hardly differ from the one before are left
 /// out, since each would be near very many, and long edges are divided, since they may be near
 /// another one somewhere between their ends.
@@ -185,10 +201,8 @@ class Search {
 }  // namespace
 
 NearParts findNearParts(const PlacedOutline& outline, double padding) {
-  constexpr std::size_t kFewest = 4;  // each point of a triangle is beside all others
-  const bool isLarge =
-      outline.uv.size() / 2 >= kFewest && extentOf(outline) > kFarInSpace * padding;
-  return padding > 0 && isLarge ? Search(outline, padding).run() : NearParts();
+  const bool isAny = padding > 0 && hasFarParts(outline, padding);
+  return isAny ? Search(outline, padding).run() : NearParts();
 }
 
 }  // namespace abflat

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "base/double_bits.h"
 #include "catch.h"
 
 using namespace abflat;
@@ -38,12 +39,6 @@ double worst(double from, double to, Function&& errorAt) {
   double out = 0;
   for (int i = 0; i < 200000; ++i) out = std::max(out, errorAt(uniform(random)));
   return out;
-}
-
-std::uint64_t bitsOf(double x) {
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  return bits;
 }
 
 }  // namespace

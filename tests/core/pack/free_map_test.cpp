@@ -106,6 +106,31 @@ TEST_CASE("an empty or too large footprint has no place", "[pack]") {
   CHECK_FALSE(map.find(footprint, 0, 10).isFound());
 }
 
+TEST_CASE("a map limited to ever shorter runs finds what one for all runs finds", "[pack]") {
+  std::mt19937 random(9);
+  FreeMap whole, limited;
+  whole.reset(150, 60, 150);
+  limited.reset(150, 60, 150);
+  Footprint footprint;
+  for (const int longest : {60, 33, 17, 16, 5, 1}) {
+    limited.limit(longest);
+    if (longest == 16) limited.shrink();
+    int found = 0;
+    for (int k = 0; k < 30; ++k) {
+      const BitGrid shape = randomGrid(random, longest);
+      footprint.set(shape);
+      const Cell cell = whole.find(footprint, 0, 60), other = limited.find(footprint, 0, 60);
+      REQUIRE(cell.x == other.x);
+      REQUIRE(cell.y == other.y);
+      if (!cell.isFound()) continue;
+      ++found;
+      whole.take(shape, cell.x, cell.y);
+      limited.take(shape, cell.x, cell.y);
+    }
+    CHECK(found > 0);
+  }
+}
+
 TEST_CASE("a map for short runs finds what one for all runs finds", "[pack]") {
   std::mt19937 random(8);
   for (const int longest : {1, 5, 16, 33}) {
