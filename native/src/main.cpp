@@ -5,11 +5,8 @@
 
 #include "commands/commands.h"
 #include "files/out_of_memory.h"
+#include "memory/pages.h"
 #include "terminal/terminal.h"
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace abflat::cli {
 namespace {
@@ -35,21 +32,12 @@ int ended(const Status& status) {
   return exitCodeOf(status.code);
 }
 
-/// Large arrays come and go. If their memory went back to the system each time, its pages would be
-/// cleared each time as well: a twentieth of all work on large meshes.
-void keepFreedMemory() {
-#ifdef __GLIBC__
-  constexpr int kMostKept = 1 << 30;
-  mallopt(M_MMAP_THRESHOLD, kMostKept);
-  mallopt(M_TRIM_THRESHOLD, kMostKept);
-#endif
-}
-
 }  // namespace
 }  // namespace abflat::cli
 
 int main(int argc, char** argv) {
   using namespace abflat;
+  cli::beginWithHugePages(argv);
   // A reader that goes away makes the output unwritable, which has its own exit code.
   std::signal(SIGPIPE, SIG_IGN);
   // So does a file that grows beyond the user's limits.
