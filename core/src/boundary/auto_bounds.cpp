@@ -45,7 +45,9 @@ std::string givenUp(int steps) {
 /// The best result of the ways that `untangle` names, or the attempt itself if none works.
 Attempt untangledWithin(ChartFlattener& flattener, Attempt attempt, Untangle untangle) {
   const int before = flattener.steps();
-  Attempt best = movedApart(flattener, attempt);
+  // Another solution, of which untangling needs many, takes far longer.
+  constexpr double kDeepest = 0.01;
+  Attempt best = movedApart(flattener, attempt, kDeepest);
   bool found = best.valid();
   if (found && isCloseTo(best, attempt)) return best;
   if (untangle != Untangle::Global) {

@@ -9,6 +9,7 @@
 #include "base/point2.h"
 #include "base/portable_math.h"
 #include "boundary/blamed_arc.h"
+#include "boundary/carry_along.h"
 #include "layout/pose.h"
 #include "mesh/triangle_geometry.h"
 #include "refine/straight_parts.h"
@@ -58,7 +59,24 @@ class Outline {
     return isAny;
   }
 
+  /// From now on places may move as far as that, and carry along what lies around them. Not where
+  /// something has to stay straight.
+  bool goDeep(double deepest) {
+    constexpr double kLongest = 2;
+    const bool isStraight = straight_.begin() != straight_.end();
+    if (isStraight || !(deepest > 0)) return false;
+    isDeep_ = true;
+    for (double& room : room_) room = std::max(room, deepest);
+    for (Point2& way : normal_) {
+      const double length = portable::hypot(way[0], way[1]);
+      if (length > kLongest)
+        for (double& x : way) x *= kLongest / length;
+    }
+    return true;
+  }
+
   std::vector<double> moved() const {
+    if (isDeep_) return carriedAlong(chart_, uv_, shift_, normal_);
     std::vector<double> out = uv_;
     for (const BoundaryIndex k : shift_.ids()) {
       if (shift_[k] == 0) continue;
@@ -149,6 +167,7 @@ class Outline {
   IdVector<BoundaryIndex, Ends> movedBy_;
   IdVector<BoundaryIndex, Point2> normal_;
   IdVector<BoundaryIndex, double> room_, shift_;
+  bool isDeep_ = false;
 };
 
 double extentOf(const DiskChart& chart, const std::vector<double>& uv) {
@@ -166,12 +185,16 @@ double extentOf(const DiskChart& chart, const std::vector<double>& uv) {
 
 }  // namespace
 
-MovedBack moveBack(const TouchingLayout& layout, double first, Crossings left,
+MovedBack moveBack(const TouchingLayout& layout, const MoveLengths& lengths, Crossings left,
                    const std::function<Crossings(const std::vector<double>&)>& crossings) {
   MovedBack out;
   Outline outline(layout.chart, layout.uv, layout.straight);
+  bool isDeep = false;
   for (int round = 0; round < kRounds && left.count > 0; ++round) {
-    if (!outline.moveOn(left, layout.turned, first)) return out;
+    while (!outline.moveOn(left, layout.turned, lengths.first)) {
+      if (isDeep || !outline.goDeep(lengths.deepest)) return out;
+      isDeep = true;
+    }
     out.uv = outline.moved();
     left = crossings(out.uv);
   }
@@ -187,7 +210,7 @@ std::string movedBackNote(const MovedBack& back, const DiskChart& chart) {
          withDigits(back.farthest / extentOf(chart, back.uv), 1) + " of its extent";
 }
 
-Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
+Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing, double deepest) {
   const DiskChart& chart = flattener.chart();
   Attempt out = crossing;
   const double cells = flattener.leastDistance(crossing.uv);
@@ -196,12 +219,14 @@ Attempt movedApart(ChartFlattener& flattener, const Attempt& crossing) {
   if (isDelaunay || !(cells > 0)) return out;
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, crossing.solution));
   const auto crossings = [&](const std::vector<double>& uv) { return flattener.crossings(uv); };
-  MovedBack back = moveBack({chart, crossing.uv, flattener.straight(), turned}, cells,
+  const MoveLengths lengths{cells, deepest * extentOf(chart, crossing.uv)};
+  MovedBack back = moveBack({chart, crossing.uv, flattener.straight(), turned}, lengths,
                             crossing.validity.crossings, crossings);
   if (!back.isApart) return out;
   out.uv = back.uv;
   fitArea(chart, out.uv);
   flattener.measure(out);
+  if (out.validity.flippedTriangles > 0) return crossing;
   out.fallbacks.push_back(movedBackNote(back, chart));
   return out;
 }

@@ -65,8 +65,8 @@ void drawBackContacts(const DiskChart& chart, Attempt& a) {
   };
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, a.uv));
   constexpr double kFewCells = 4;
-  MovedBack back = moveBack({chart, a.uv, {}, turned}, kFewCells * contactCell(chart, a.uv),
-                            a.validity.crossings, crossings);
+  const MoveLengths lengths{kFewCells * contactCell(chart, a.uv)};
+  MovedBack back = moveBack({chart, a.uv, {}, turned}, lengths, a.validity.crossings, crossings);
   if (!back.isApart) return;
   a.uv = back.uv;
   fitArea(chart, a.uv);

@@ -134,8 +134,8 @@ bool isDrawnBack(const DiskChart& chart, Numbers numbers, const std::vector<doub
   const std::vector<double> turned = turnedAlong(boundaryAngles(chart, exact));
   const StraightPlaces straight = flat.uncommon ? flat.uncommon->straightPlaces : StraightPlaces();
   constexpr double kFewSteps = 2;
-  MovedBack back = moveBack({chart, exact, straight, turned}, kFewSteps * stepOf(exact, numbers),
-                            crossings(exact), crossings);
+  const MoveLengths lengths{kFewSteps * stepOf(exact, numbers)};
+  MovedBack back = moveBack({chart, exact, straight, turned}, lengths, crossings(exact), crossings);
   if (!back.isApart) return false;
   std::vector<double> before = std::move(flat.uv);
   flat.uv = rounded(numbers, flat.isFixed, std::move(back.uv));

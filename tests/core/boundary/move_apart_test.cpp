@@ -6,6 +6,8 @@
 
 #include "abflat/unwrap.h"
 #include "base/constants.h"
+#include "base/portable_math.h"
+#include "boundary/carry_along.h"
 #include "catch.h"
 #include "mesh/triangle_geometry.h"
 #include "support/instrumented.h"
@@ -131,6 +133,79 @@ TEST_CASE("a slit that closes again is opened without another solution") {
       farthest = std::max(farthest, std::abs(open.uv[i] - closed.uv[i]));
     CHECK(farthest > 0);
     CHECK(farthest <= 8 * flattener.leastDistance(closed.uv));
+  }
+}
+
+namespace {
+
+/// The way out of the chart at each place.
+IdVector<BoundaryIndex, Point2> outwards(const DiskChart& chart, const std::vector<double>& uv) {
+  IdVector<BoundaryIndex, Point2> out;
+  for (const BoundaryIndex k : chart.boundary.ids()) {
+    const Point2 a = pointAt(uv, chart.boundaryVertex(chart.before(k)));
+    const Point2 b = pointAt(uv, chart.boundaryVertex(chart.after(k)));
+    const double x = b[0] - a[0], y = b[1] - a[1], length = portable::hypot(x, y);
+    out.push_back({y / length, -x / length});
+  }
+  return out;
+}
+
+/// Moves the middle of the right side of the slit that far over the left side.
+std::vector<double> overlapping(const DiskChart& chart, const std::vector<double>& uv, unsigned n,
+                                double steps) {
+  IdVector<BoundaryIndex, double> shift;
+  for (const BoundaryIndex k : chart.boundary.ids()) {
+    const std::uint32_t j = chart.inputVertex[chart.boundaryVertex(k)] - (n + 1) * (n + 1);
+    const bool isMiddle = j >= n / 8 && j <= 3 * n / 8;
+    shift.push_back(isMiddle ? steps / chart.unit : 0);
+  }
+  return carriedAlong(chart, uv, shift, outwards(chart, uv));
+}
+
+}  // namespace
+
+TEST_CASE("what lies around moved places goes along without turning over") {
+  const unsigned n = 64;
+  const DiskChart chart = chartOf(slitSheet(n));
+  const std::vector<double> uv = ChartFlattener(chart, {}, kSeparated)
+                                     .attempt(BoundaryBounds(chart.boundary.size(), 2), nullptr)
+                                     .uv;
+  for (const double steps : {0.5, 2.0, 6.0}) {
+    const std::vector<double> moved = overlapping(chart, uv, n, steps);
+    CHECK(checkValidity(chart, moved).flippedTriangles == 0);
+    double farthest = 0;
+    double count = 0;
+    for (const ChartVertex v : chart.vertices()) {
+      const Point2 a = pointAt(uv, v), b = pointAt(moved, v);
+      const double length = portable::hypot(b[0] - a[0], b[1] - a[1]) * chart.unit;
+      farthest = std::max(farthest, length);
+      if (length > 0) ++count;
+    }
+    CHECK(farthest == Approx(steps));
+    // Not farther around than five times as far.
+    CHECK(count < (n / 4 + 2 + 10 * steps) * (5 * steps + 1));
+  }
+}
+
+TEST_CASE("sides that lie over each other by more than a triangle are drawn apart as asked") {
+  const unsigned n = 64;
+  const DiskChart chart = chartOf(slitSheet(n));
+  for (const double steps : {0.6, 2.0}) {
+    ChartFlattener flattener(chart, {}, kSeparated);
+    Attempt crossing = flattener.attempt(BoundaryBounds(chart.boundary.size(), 2), nullptr);
+    crossing.uv = overlapping(chart, crossing.uv, n, steps);
+    flattener.measure(crossing);
+    REQUIRE(crossing.validity.flippedTriangles == 0);
+    REQUIRE(crossing.validity.crossings.count > 0);
+    CHECK_FALSE(movedApart(flattener, crossing).valid());
+    const int before = flattener.steps();
+    const Attempt apart = movedApart(flattener, crossing, 0.05);
+    CHECK(flattener.steps() == before);
+    CHECK(apart.valid());
+    CHECK(checkSeparated(chart, apart.uv).valid());
+    CHECK(areaUv(chart, apart.uv) == Approx(surfaceArea(chart)).epsilon(1e-12));
+    // Nor where that is farther than allowed.
+    CHECK_FALSE(movedApart(flattener, crossing, 1e-4).valid());
   }
 }
 
