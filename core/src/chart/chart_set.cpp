@@ -1,6 +1,5 @@
 #include "chart/chart_set.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "chart/chart_order.h"
@@ -8,35 +7,6 @@
 
 namespace abflat {
 namespace {
-
-/// Numbers vertices chart by chart, within each chart in the order of the surface's vertices, which
-/// is that of the input's. A vertex of the cut surface belongs to one chart.
-class VertexNumbers {
- public:
-  explicit VertexNumbers(const Fans& fans) : fans_(fans), number_(fans.inputVertex.size()) {}
-
-  /// Numbers the chart that has these triangles; returns its vertices.
-  const std::vector<SurfaceVertex>& number(const SurfaceTriangle* first,
-                                           const SurfaceTriangle* last) {
-    sorted_.clear();
-    for (const SurfaceTriangle* f = first; f != last; ++f)
-      for (const SurfaceCorner c : cornersOf(*f)) {
-        const SurfaceVertex v = fans_.ofCorner[c];
-        if (number_[v].exists()) continue;
-        number_[v] = ChartVertex(0);
-        sorted_.push_back(v);
-      }
-    std::sort(sorted_.begin(), sorted_.end());
-    for (std::size_t i = 0; i < sorted_.size(); ++i) number_[sorted_[i]] = ChartVertex(i);
-    return sorted_;
-  }
-  ChartVertex at(SurfaceCorner c) const { return number_[fans_.ofCorner[c]]; }
-
- private:
-  const Fans& fans_;
-  IdVector<SurfaceVertex, ChartVertex> number_;
-  std::vector<SurfaceVertex> sorted_;
-};
 
 template <class I, class T>
 IdVector<I, T> copyOf(IdSpan<I, T> values) {
@@ -89,23 +59,34 @@ class ChartSetMaker {
     }
   }
 
+  /// Numbers vertices chart by chart, within each in the order of the surface's vertices, which is
+  /// that of the input's. A vertex of the cut surface belongs to one chart.
+  IdVector<SurfaceVertex, ChartVertex> numberVertices() {
+    IdVector<SurfaceVertex, ChartId> chart(fans_.inputVertex.size());
+    for (const SurfaceTriangle f : cut_.triangles())
+      for (const SurfaceCorner c : cornersOf(f)) chart[fans_.ofCorner[c]] = out_.ofTriangle[f];
+    for (const ChartId i : chart) ++out_.parts_[i + 1].vertex;
+    addUp(&Part::vertex);
+    out_.inputVertex_.resize(chart.size());
+    IdVector<ChartId, ChartVertex> next(out_.size(), ChartVertex(0));
+    IdVector<SurfaceVertex, ChartVertex> number(chart.size());
+    for (const SurfaceVertex v : chart.ids()) {
+      number[v] = next[chart[v]];
+      ++next[chart[v]];
+      out_.inputVertex_[out_.parts_[chart[v]].vertex + number[v]] = fans_.inputVertex[v];
+    }
+    return number;
+  }
+
   void connect() {
-    VertexNumbers numbers(fans_);
+    const IdVector<SurfaceVertex, ChartVertex> number = numberVertices();
     out_.vertexOfCorner_.reserve(cut_.twin.size());
     out_.twin_.reserve(cut_.twin.size());
-    out_.inputVertex_.reserve(fans_.inputVertex.size());
-    for (const ChartId i : out_.ids()) {
-      const SurfaceTriangle* const first = out_.triangles_.data() + out_.parts_[i].triangle;
-      const SurfaceTriangle* const last = out_.triangles_.data() + out_.parts_[i + 1].triangle;
-      for (const SurfaceVertex v : numbers.number(first, last))
-        out_.inputVertex_.push_back(fans_.inputVertex[v]);
-      out_.parts_[i + 1].vertex = static_cast<std::uint32_t>(out_.inputVertex_.size());
-      for (const SurfaceTriangle* f = first; f != last; ++f)
-        for (const SurfaceCorner h : cornersOf(*f)) {
-          out_.vertexOfCorner_.push_back(numbers.at(h));
-          out_.twin_.push_back(cut_.twin[h].exists() ? inChart(cut_.twin[h]) : ChartCorner());
-        }
-    }
+    for (const SurfaceTriangle f : out_.triangles_)
+      for (const SurfaceCorner h : cornersOf(f)) {
+        out_.vertexOfCorner_.push_back(number[fans_.ofCorner[h]]);
+        out_.twin_.push_back(cut_.twin[h].exists() ? inChart(cut_.twin[h]) : ChartCorner());
+      }
   }
 
   void listBoundaries() {
