@@ -57,9 +57,9 @@ std::vector<double> carriedAlong(const DiskChart& chart, const std::vector<doubl
   };
   for (const BoundaryIndex k : shift.ids()) add(chart.boundaryVertex(k), shift[k], k);
   while (!open.empty()) {
-    const auto [length, number] = open.top();
+    const double length = open.top().first;
+    const ChartVertex v(~open.top().second);
     open.pop();
-    const ChartVertex v(~number);
     if (length < move[v]) continue;
     const Point2 from = pointAt(uv, v);
     neighbours.forEach(v, [&](ChartVertex w) {
