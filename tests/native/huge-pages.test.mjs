@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { open, readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { isInstrumented, PROGRAM } from '../support/run-abflat.mjs';
@@ -23,16 +23,15 @@ function areGivenToThoseWhoAsk() {
 }
 const isAsked = areGivenToThoseWhoAsk() && !isInstrumented;
 
-/** A run, looked at while it waits for its input. `tunables`: undefined if the user set none. */
-async function lookAtRun(t, tunables) {
+/** A run, looked at while it waits for its input. `tunables`: undefined if the user set none. `loader`:
+ * what starts the program, if it is not started itself. */
+async function lookAtRun(t, { tunables, loader = [] } = {}) {
   const at = tempFolder(t);
   execFileSync('mkfifo', [at('cube.obj')]);
   const { GLIBC_TUNABLES, LD_PRELOAD, ...env } = process.env;
   if (tunables !== undefined) env.GLIBC_TUNABLES = tunables;
-  const run = spawn(PROGRAM, ['unwrap', at('cube.obj'), '-o', at('out.obj')], {
-    env,
-    stdio: 'ignore',
-  });
+  const words = [...loader, PROGRAM, 'unwrap', at('cube.obj'), '-o', at('out.obj')];
+  const run = spawn(words[0], words.slice(1), { env, stdio: 'ignore' });
   const ended = new Promise((done, failed) => run.on('exit', done).on('error', failed));
   const input = await open(at('cube.obj'), 'w'); // waits until the program reads it
   const variables = readFileSync(`/proc/${run.pid}/environ`, 'utf8').split('\0');
@@ -52,8 +51,19 @@ test('asks for huge pages, keeps its name, and computes the same', {
   assert.equal(asked.code, 0);
   assert.equal(asked.tunables, ASKED);
   assert.equal(asked.name, 'abflat');
-  const left = await lookAtRun(t, '');
+  const left = await lookAtRun(t, { tunables: '' });
   assert.equal(left.code, 0);
   assert.equal(left.tunables, '', 'what the user set stays');
   assert.equal(left.layout, asked.layout);
+});
+
+const LOADER = '/lib64/ld-linux-x86-64.so.2';
+const isLoaded = isAsked && existsSync(LOADER);
+
+test('runs as it is where the loader is started by name', {
+  skip: isLoaded ? false : 'no such loader here',
+}, async (t) => {
+  const run = await lookAtRun(t, { loader: [LOADER] });
+  assert.equal(run.code, 0);
+  assert.equal(run.tunables, undefined);
 });

@@ -6,6 +6,7 @@
 
 #ifdef __GLIBC__
 #include <malloc.h>
+#include <sys/auxv.h>
 #include <unistd.h>
 #endif
 
@@ -32,8 +33,9 @@ bool canAskForHugePages() {
   return modes.find("[madvise]") != std::string::npos;
 }
 
-/// Empty if it is not known.
+/// Empty if it is not known, or the loader was started by name, whose path it would be.
 std::string ownPath() {
+  if (getauxval(AT_BASE) == 0) return {};
   std::string out(4096, '\0');
   const ssize_t length = readlink("/proc/self/exe", out.data(), out.size());
   const bool isWhole = length > 0 && static_cast<std::size_t>(length) < out.size();
